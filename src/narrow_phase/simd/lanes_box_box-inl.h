@@ -151,28 +151,45 @@ HWY_INLINE Truth mayBeWithin(const BoxCore& a, const BoxCore& b, Number reach) {
   return hn::Not(hn::Gt(bestOfFaces<false>(pair).numerator, apart));
 }
 
+/// The axis that parts two boxes best, or that gives their depth. Lanes whose axis proves them
+/// beyond `reach` no longer count.
+HWY_INLINE BestAxis axisWithin(const BoxPairLanes& pair, Number reach, Truth& counts) {
+  const Number apart = hn::Max(hn::Add(reach, pair.tolerance), zero());
+  BestAxis best = bestOfFaces<false>(pair);
+  counts = hn::AndNot(hn::Gt(best.numerator, apart), counts);
+  if (!hn::AllFalse(Lanes(), counts)) {
+    considerAllEdges<false>(pair, best);
+    // If the gap is positive, the numerator is at most the gap.
+    counts = hn::AndNot(hn::Gt(best.numerator, apart), counts);
+  }
+  return best;
+}
+
+HWY_INLINE Number gapAlong(const BestAxis& best) {
+  return hn::Div(best.numerator, hn::Sqrt(best.sine_squared));
+}
+
 /// If boxes overlap, the best axis gives the depth, and no point needs to prove it.
 HWY_INLINE Number separationWithin(const BoxCore& a, const BoxCore& b, Number reach,
                                    Truth& counts) {
   const BoxPairLanes pair = boxPairInLanes(a, b);
-  const Number apart = hn::Max(hn::Add(reach, pair.tolerance), zero());
-  BestAxis best = bestOfFaces<false>(pair);
-  counts = hn::AndNot(hn::Gt(best.numerator, apart), counts);
+  const BestAxis best = axisWithin(pair, reach, counts);
   if (hn::AllFalse(Lanes(), counts)) {
     return best.numerator;
   }
-  considerAllEdges<false>(pair, best);
-  // If the gap is positive, the numerator is at most the gap.
-  counts = hn::AndNot(hn::Gt(best.numerator, apart), counts);
-  if (hn::AllFalse(Lanes(), counts)) {
-    return best.numerator;
-  }
-  const Number gap = hn::Div(best.numerator, hn::Sqrt(best.sine_squared));
+  const Number gap = gapAlong(best);
   const Truth is_depth = hn::And(isSkew(pair), hn::Le(gap, zero()));
   if (hn::AllFalse(Lanes(), hn::AndNot(is_depth, counts))) {
     return gap;
   }
   return hn::IfThenElse(is_depth, gap, answerAlong(pair, best).distance);
+}
+
+/// A lower bound of separationWithin; it takes no search for points.
+HWY_INLINE Number boundWithin(const BoxCore& a, const BoxCore& b, Number reach, Truth& counts) {
+  const Number of_cores = hn::Add(hn::Add(reach, a.radius), b.radius);
+  const BestAxis best = axisWithin(boxPairInLanes(a, b), of_cores, counts);
+  return hn::Sub(hn::Sub(gapAlong(best), a.radius), b.radius);
 }
 
 // NOLINTNEXTLINE(google-readability-namespace-comments)

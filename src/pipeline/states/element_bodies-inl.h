@@ -61,19 +61,20 @@ struct ElementBodies {
     return counts;
   }
 
-  template <class CoreA, class CoreB>
+  template <class CoreA, class CoreB, bool kBoundOnly = false>
   HWY_NOINLINE Number measureKinds(const StatePair& pair, Number reach, Truth& counts) {
     place(pair.a);
     place(pair.b);
-    return stateDistanceWithin<CoreA, CoreB>(states, pair, reach, counts);
+    return stateDistanceWithin<CoreA, CoreB, kBoundOnly>(states, pair, reach, counts);
   }
 
   /// As stateDistanceWithin, of a pair of any kind.
+  template <bool kBoundOnly = false>
   Number measure(const StatePair& pair, Number reach, Truth& counts) {
     const CoreKind a = states.setup.cores[pair.a].kind;
     const CoreKind b = states.setup.cores[pair.b].kind;
     if (a == CoreKind::box) {
-      return measureKinds<BoxCore, BoxCore>(pair, reach, counts);
+      return measureKinds<BoxCore, BoxCore, kBoundOnly>(pair, reach, counts);
     }
     if (a == CoreKind::segment) {
       return b == CoreKind::box ? measureKinds<SegmentCore, BoxCore>(pair, reach, counts)

@@ -23,11 +23,19 @@ struct NearSearch {
 
   Number reachOf(double contact_distance) const { return hn::Max(asked, number(contact_distance)); }
 
+  /// Where geometries decide, a bound is enough to order pairs.
+  Number distanceOf(std::uint32_t id, const StatePair& pair, Number reach, Truth& counts) {
+    const CycleSetup& setup = bodies.states.setup;
+    return query.asks_any && !areBodies(setup, setup.element_pair_of[id])
+               ? bodies.measure<true>(pair, reach, counts)
+               : bodies.measure(pair, reach, counts);
+  }
+
   /// @return in which states the bodies are near
   Truth measureBodies(std::uint32_t id, Truth counts) {
     const StatePair& pair = bodies.work.pairs[id];
     const Number reach = reachOf(pair.contact_distance);
-    const Number distance = bodies.measure(pair, reach, counts);
+    const Number distance = distanceOf(id, pair, reach, counts);
     // NaN counts as near.
     counts = hn::AndNot(hn::Gt(distance, reach), counts);
     if (!hn::AllFalse(Lanes(), counts)) {

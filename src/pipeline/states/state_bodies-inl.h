@@ -153,7 +153,7 @@ inline HWY_NOINLINE Number finished(const StateLanes& states, const StatePair& p
 }
 
 /// The signed distance of a pair, by distanceWithin of its cores in the states that count.
-template <class CoreA, class CoreB>
+template <class CoreA, class CoreB, bool kBoundOnly = false>
 HWY_INLINE Number stateDistanceWithin(const StateLanes& states, const StatePair& pair, Number reach,
                                       Truth& counts) {
   counts = hn::And(counts, spheresMeet(states, pair, reach));
@@ -169,6 +169,9 @@ HWY_INLINE Number stateDistanceWithin(const StateLanes& states, const StatePair&
     if (hn::AllFalse(Lanes(), counts)) {
       return zero();
     }
+  }
+  if constexpr (kBoundOnly && CoreA::kKind == CoreKind::box) {
+    return boundWithin(a, b, reach, counts);
   }
   const Number distance = distanceWithin(a, b, reach, counts);
   const bool is_sure = hn::AllFalse(Lanes(), hn::AndNot(hn::Eq(distance, distance), counts));
