@@ -60,16 +60,22 @@ void searchContact(const MeshPair& pair, const MeshContactQuery& query, MeshQuer
   found.state = MeshContact::State::apart;
 }
 
-// Finds a point of `other` inside `solid`. Frames: that of `other`.
-const Eigen::Vector3d* findHeld(const MeshTree& solid, const MeshTree& other,
-                                const Pose& solid_from_other, bool asks_outside,
-                                MeshQueryMemory& memory, Holding& holding) noexcept {
+// The points of `other` for which `solid` is asked.
+const std::vector<Eigen::Vector3d>& probesOf(const MeshTree& other,
+                                             const MeshTree& solid) noexcept {
+  return solid.isClosed() ? other.pieces() : other.probes();
+}
+
+// Finds a probe of `other` inside `solid`; none: kNone. Frames: that of `other`.
+std::uint32_t findHeld(const MeshTree& solid, const MeshTree& other, const Pose& solid_from_other,
+                       bool asks_outside, MeshQueryMemory& memory, Holding& holding) noexcept {
   if (!solid.hasInside()) {
-    return nullptr;
+    return kNone;
   }
   const ConvexHull::Face* last = nullptr;  // a probe was beyond it
-  for (const Eigen::Vector3d& probe : solid.isClosed() ? other.pieces() : other.probes()) {
-    const Eigen::Vector3d point = solid_from_other * probe;
+  const std::vector<Eigen::Vector3d>& probes = probesOf(other, solid);
+  for (std::uint32_t i = 0; i < probes.size(); ++i) {
+    const Eigen::Vector3d point = solid_from_other * probes[i];
     const auto is_beyond = [&](const ConvexHull::Face& face) {
       return face.normal.dot(point) > face.offset;
     };
@@ -80,11 +86,11 @@ const Eigen::Vector3d* findHeld(const MeshTree& solid, const MeshTree& other,
     const PointInMesh lies = lookInside(solid, point, memory, asks_outside);
     holding.visits += lies.visits;
     if (lies.is_inside) {
-      return &probe;
+      return i;
     }
     holding.outside = std::min(holding.outside, std::max(lies.hold, leastHold(solid)));
   }
-  return nullptr;
+  return kNone;
 }
 
 }  // namespace
@@ -93,11 +99,39 @@ double leastHold(const MeshTree& open) noexcept { return 1e-3 * open.radius(); }
 
 Holding pointHeld(const MeshPair& pair, MeshQueryMemory& memory, bool asks_outside) noexcept {
   Holding holding;
-  if (const auto* of_b = findHeld(pair.a, pair.b, pair.a_from_b, asks_outside, memory, holding)) {
-    holding.point = pair.a_from_b * *of_b;
-  } else if (const auto* of_a =
-                 findHeld(pair.b, pair.a, inverse(pair.a_from_b), asks_outside, memory, holding)) {
-    holding.point = *of_a;
+  const auto& of_b = probesOf(pair.b, pair.a);
+  const std::uint32_t in_a = findHeld(pair.a, pair.b, pair.a_from_b, asks_outside, memory, holding);
+  if (in_a != kNone) {
+    holding.point = pair.a_from_b * of_b[in_a];
+    holding.probe = in_a;
+    return holding;
+  }
+  const std::uint32_t in_b =
+      findHeld(pair.b, pair.a, inverse(pair.a_from_b), asks_outside, memory, holding);
+  if (in_b != kNone) {
+    holding.point = probesOf(pair.a, pair.b)[in_b];
+    holding.probe = static_cast<HeldProbe>(of_b.size()) + in_b;
+  }
+  return holding;
+}
+
+Holding probeHeld(const MeshPair& pair, HeldProbe probe, MeshQueryMemory& memory) noexcept {
+  Holding holding;
+  const auto& of_b = probesOf(pair.b, pair.a);
+  const auto& of_a = probesOf(pair.a, pair.b);
+  const bool is_of_b = probe < of_b.size();
+  const MeshTree& solid = is_of_b ? pair.a : pair.b;
+  const std::size_t place = is_of_b ? probe : probe - of_b.size();
+  if (probe == kNone || !solid.hasInside() || (!is_of_b && place >= of_a.size())) {
+    return holding;
+  }
+  const Eigen::Vector3d in_a = is_of_b ? Eigen::Vector3d(pair.a_from_b * of_b[place]) : of_a[place];
+  const Eigen::Vector3d point = is_of_b ? in_a : Eigen::Vector3d(inverse(pair.a_from_b) * in_a);
+  const PointInMesh lies = lookInside(solid, point, memory, false);
+  holding.visits = lies.visits;
+  if (lies.is_inside) {
+    holding.point = in_a;
+    holding.probe = probe;
   }
   return holding;
 }
@@ -109,6 +143,13 @@ MeshContact contactOf(const PlacedMesh& a, const PlacedMesh& b, const MeshContac
     return found;
   }
   const MeshPair pair = makeMeshPair(a, b);
+  const Holding last = probeHeld(pair, query.held, memory);
+  found.visits += last.visits;
+  if (last.point) {
+    found.state = MeshContact::State::contact;
+    found.held = last.probe;
+    return found;
+  }
   if (start.a < a.tree.triangles().size() && start.b < b.tree.triangles().size()) {
     ++found.visits;
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();
@@ -125,6 +166,7 @@ MeshContact contactOf(const PlacedMesh& a, const PlacedMesh& b, const MeshContac
     const Holding held = pointHeld(pair, memory, query.asks_outside);
     found.visits += held.visits;
     found.outside = held.outside;
+    found.held = held.probe;
     found.state = held.point ? MeshContact::State::contact : MeshContact::State::apart;
   }
   return found;

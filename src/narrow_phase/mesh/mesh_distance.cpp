@@ -79,6 +79,14 @@ void reportBound(const NearestSearch& search, double stop_beyond, MeshDistance& 
   }
 }
 
+void reportHeld(const Holding& held, const Pose& world_from_a, MeshDistance& answer) noexcept {
+  answer.state = MeshState::overlapping;
+  answer.measured.distance = 0.0;
+  answer.measured.point_on_a = world_from_a * *held.point;
+  answer.measured.point_on_b = answer.measured.point_on_a;
+  answer.held = held.probe;
+}
+
 // Surfaces that do not meet may still lie one inside the other.
 void reportContainment(const MeshPair& pair, const Pose& world_from_a,
                        const MeshQueryLimits& limits, MeshQueryMemory& memory,
@@ -90,11 +98,19 @@ void reportContainment(const MeshPair& pair, const Pose& world_from_a,
   answer.visits += held.visits;
   answer.outside = held.outside;
   if (held.point) {
-    answer.state = MeshState::overlapping;
-    answer.measured.distance = 0.0;
-    answer.measured.point_on_a = world_from_a * *held.point;
-    answer.measured.point_on_b = answer.measured.point_on_a;
+    reportHeld(held, world_from_a, answer);
   }
+}
+
+// Asks for the probe that was held before. @return whether it still is
+bool isStillHeld(const MeshPair& pair, const Pose& world_from_a, const MeshQueryLimits& limits,
+                 MeshQueryMemory& memory, MeshDistance& answer) noexcept {
+  const Holding held = probeHeld(pair, limits.held, memory);
+  answer.visits = held.visits;
+  if (held.point) {
+    reportHeld(held, world_from_a, answer);
+  }
+  return held.point.has_value();
 }
 
 MeshDistance answerOf(const MeshPair& pair, const NearestSearch& search, const Pose& world_from_a,
@@ -169,14 +185,19 @@ MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQuery
     return {};
   }
   const MeshPair pair = makeMeshPair(a, b);
+  MeshDistance answer;
+  if (isStillHeld(pair, a.world_from_mesh, limits, memory, answer)) {
+    return answer;
+  }
   NearestSearch search = searchWithin(limits);
+  search.visits = answer.visits;
   if (isPairOf(pair, start)) {
     measureTriangles(pair, start, search.bounds, search);
   }
   NodePairQueue queue(memory);
   queue.push({0.0F, 0, 0});
   searchPairs(pair, limits.visit_budget, queue, search);
-  MeshDistance answer = answerOf(pair, search, a.world_from_mesh, limits.stop_beyond);
+  answer = answerOf(pair, search, a.world_from_mesh, limits.stop_beyond);
   reportContainment(pair, a.world_from_mesh, limits, memory, answer);
   return answer;
 }
@@ -188,19 +209,25 @@ MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQuery
   }
   const MeshPair pair = makeMeshPair(a, b);
   const MeshQuery query{pair};
+  MeshDistance answer;
+  if (isStillHeld(pair, a.world_from_mesh, limits, memory, answer)) {
+    front.apart = front.outside = 0.0;
+    return answer;
+  }
   NearestSearch before = searchWithin(limits);
   measureLast(query, front, before);
   if (before.isSettled()) {
     return settledAnswer(pair, before, a.world_from_mesh);
   }
   NearestSearch search = searchWithin(limits);
+  search.visits = answer.visits;
   search.front = &front;
   search.moving = movingBounds(pair.b, false);
   const double step =
       follow({pair.a_from_b, pair.b, pair.a.center(), pair.a.radius(), 1.0, pair.rounding}, front);
   NodePairQueue queue(memory);
   searchFromFront(query, step, pair.rounding, limits.visit_budget, queue, search);
-  MeshDistance answer = answerOf(pair, search, a.world_from_mesh, limits.stop_beyond);
+  answer = answerOf(pair, search, a.world_from_mesh, limits.stop_beyond);
   if (step < std::min(front.apart, front.outside)) {
     answer.outside = front.outside - step;
   } else {

@@ -40,6 +40,10 @@ struct TrianglePair {
   std::uint32_t b{kNone};
 };
 
+/// A point of one of two meshes that the other is asked for, by index: first those of B, then those
+/// of A. Kept from one query to the next, as long as the other holds it.
+using HeldProbe = std::uint32_t;
+
 struct MeshDistance {
   MeshState state{MeshState::unknown};
   SignedDistance measured;  ///< NaN-free in every state
@@ -49,6 +53,7 @@ struct MeshDistance {
   /// [m] If apart: without meeting the surface, a mesh may travel this far, seen from the other,
   /// before it can be inside an open one. Infinite for closed meshes.
   double outside{std::numeric_limits<double>::infinity()};
+  HeldProbe held{kNone};  ///< if overlapping only because one mesh holds it
 };
 
 /// Limits at which a query may stop early. The defaults have no effect.
@@ -65,6 +70,7 @@ struct MeshQueryLimits {
   /// [m] What is known before: the convex hulls of both are this far apart. So the surfaces are no
   /// nearer, and neither mesh holds a point of the other. 0: nothing is known.
   double at_least{0.0};
+  HeldProbe held{kNone};  ///< before; asked first: if one mesh still holds it, they overlap
 };
 
 /// Scratch of a query; one per thread. Its content means nothing between queries. It is large: keep
@@ -110,6 +116,7 @@ struct MeshContact {
   TrianglePair triangles;   ///< in contact; a start for the next query
   std::uint32_t visits{0};  ///< nodes opened and triangles looked at
   double outside{std::numeric_limits<double>::infinity()};  ///< [m] as MeshDistance::outside
+  HeldProbe held{kNone};                                    ///< as MeshDistance
 };
 
 /// A query for contact. The defaults ask whether the meshes overlap, whatever it takes.
@@ -120,6 +127,7 @@ struct MeshContactQuery {
   /// MeshContact::outside is this.
   double outside{0.0};
   std::uint32_t visit_budget{std::numeric_limits<std::uint32_t>::max()};  ///< as MeshQueryLimits
+  HeldProbe held{kNone};                                                  ///< as MeshQueryLimits
 };
 
 /// Finds whether surfaces come within a distance of each other, or one mesh that has an inside

@@ -135,6 +135,7 @@ float asLimit(double squared_distance) noexcept;
 /// Whether one of two meshes is inside the other.
 struct Holding {
   std::optional<Eigen::Vector3d> point;  ///< in both solids, in A's frame
+  HeldProbe probe{kNone};                ///< which one it is
   /// [m] If there is none: without meeting the surface, a mesh may travel this far, seen from the
   /// other, before there can be one.
   double outside{std::numeric_limits<double>::infinity()};
@@ -145,6 +146,9 @@ struct Holding {
 /// at all. An open one is asked for all probes of the other.
 /// @param asks_outside also finds Holding::outside; else it means nothing.
 Holding pointHeld(const MeshPair& pair, MeshQueryMemory& memory, bool asks_outside = true) noexcept;
+
+/// Asks for one probe alone. @param probe may be none
+Holding probeHeld(const MeshPair& pair, HeldProbe probe, MeshQueryMemory& memory) noexcept;
 
 /// [m] Whether something is inside an open mesh is not asked again after less travel than this. The
 /// inside ends at the rim only by convention, and a search that comes near must not go on by ever

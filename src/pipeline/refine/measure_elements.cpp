@@ -39,8 +39,8 @@ double stopBeyond(const PlacedElement& a, const PlacedElement& b,
 
 ElementDistance measureConvex(const PlacedElement& a, const PlacedElement& b,
                               ElementSearch& search) noexcept {
-  const double cutoff = search.serves_later ? std::numeric_limits<double>::infinity()
-                                            : stopBeyond(a, b, search);
+  const double cutoff =
+      search.serves_later ? std::numeric_limits<double>::infinity() : stopBeyond(a, b, search);
   ConvexSearch convex{search.scratch.convex, search.memory.warm, cutoff, !search.serves_later};
   const ConvexDistance found = signedDistanceBetween(
       *a.element.convex, a.world_from_element, *b.element.convex, b.world_from_element, convex);
@@ -60,7 +60,7 @@ template <class Start>
 MeshDistance searchFrom(Start& start, const PlacedElement& a, const PlacedElement& b,
                         double at_least, ElementSearch& search) noexcept {
   const MeshQueryLimits limits{stopBeyond(a, b, search), search.budget, search.tolerance,
-                               search.serves_later, at_least};
+                               search.serves_later,      at_least,      search.memory.held};
   if (isSimple(b)) {
     return distanceBetween(meshOf(a), convexOf(b), search.scratch.mesh, start, limits);
   }
@@ -173,6 +173,7 @@ ElementDistance measureMeshes(const PlacedElement& a, const PlacedElement& b,
     return answer;
   }
   const MeshDistance found = searchMeshes(a, b, hulls, search);
+  search.memory.held = found.held;
   answer.work += found.visits;
   answer.outside = found.outside;
   if (found.state == MeshState::overlapping) {

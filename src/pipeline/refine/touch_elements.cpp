@@ -100,13 +100,14 @@ ElementContact touchTriangles(const PlacedElement& a, const PlacedElement& b,
   TrianglePair& last = search.memory.nearest;
   MeshQueryMemory& memory = search.scratch.mesh;
   const MeshContactQuery query{reach, goal.asks_outside, goal.outside,
-                               search.budget - std::min(search.budget, work)};
+                               search.budget - std::min(search.budget, work), search.memory.held};
   const MeshContact found = isSimple(b)   ? contactOf(meshOf(a), convexOf(b), query, memory, last)
                             : isSimple(a) ? contactOf(meshOf(b), convexOf(a), query, memory, last)
                                           : contactOf(meshOf(a), meshOf(b), query, memory, last);
   if (found.state == MeshContact::State::contact && found.triangles.a != kNone) {
     last = found.triangles;
   }
+  search.memory.held = found.held;
   ElementContact answer;
   answer.work = work + found.visits;
   answer.is_complete = found.state != MeshContact::State::open;
@@ -135,7 +136,7 @@ ElementContact touchConcave(const PlacedElement& a, const PlacedElement& b, cons
   ElementContact told;
   told.work = kStartWork;
   ContactForecast& forecast = search.memory.triangles_meet;
-  if (forecast.isLikely()) {
+  if (forecast.isLikely() || search.memory.held != kNone) {
     ElementSearch brief = search;
     brief.budget = std::min(search.budget, kFew);
     const ElementContact found = touchTriangles(a, b, goal, reach, told.work, brief);

@@ -40,6 +40,7 @@ ElementSearch searchFor(const StateSearch& state, ElementPairIndex pair, double 
   if (refinement.is_independent && refinement.searched_in[pair] != refinement.state) {
     forget(memory.warm);
     memory.nearest = TrianglePair();
+    memory.held = kNone;
     memory.triangles_meet = ContactForecast();
     refinement.searched_in[pair] = refinement.state;
   }

@@ -65,6 +65,48 @@ TEST_F(MeshContactTest, trianglesInContactBefore_areAskedFirst) {
   EXPECT_EQ(touch(0.3, {}, before.triangles).state, State::apart) << "they are asked, not believed";
 }
 
+TEST_F(MeshContactTest, probeHeldBefore_isAskedFirst) {
+  const MeshTree outer = test::openTree(withoutATriangle());
+  for (const bool is_of_b : {true, false}) {
+    const auto touchAt = [&](double x, HeldProbe held) {
+      MeshContactQuery query;
+      query.held = held;
+      return is_of_b ? contactOf({outer, Pose()}, {small_, at(x)}, query, *memory_)
+                     : contactOf({small_, at(x)}, {outer, Pose()}, query, *memory_);
+    };
+    const MeshContact before = touchAt(0.0, kNone);
+    ASSERT_NE(before.held, kNone);
+    const MeshContact again = touchAt(0.001, before.held);
+    EXPECT_EQ(again.state, State::contact);
+    EXPECT_EQ(again.held, before.held);
+    EXPECT_LT(again.visits, before.visits);
+    const MeshContact across = touchAt(0.1, before.held);
+    EXPECT_EQ(across.state, State::contact) << "surfaces cross";
+    for (const HeldProbe held : {before.held, HeldProbe{1000}}) {
+      const MeshContact beside = touchAt(0.3, held);
+      EXPECT_EQ(beside.state, State::apart) << "it is asked, not believed";
+      EXPECT_EQ(beside.held, kNone);
+    }
+  }
+}
+
+TEST_F(MeshContactTest, distanceOfAProbeHeldBefore_isThatOfAnyOther) {
+  MeshQueryLimits limits;
+  const PlacedMesh outer{box_, Pose()};
+  const Pose inside = at(0.01);
+  const MeshDistance before = distanceBetween(outer, {small_, inside}, *memory_, {}, limits);
+  ASSERT_EQ(before.state, MeshState::overlapping);
+  limits.held = before.held;
+  const MeshDistance again = distanceBetween(outer, {small_, inside}, *memory_, {}, limits);
+  EXPECT_EQ(again.state, MeshState::overlapping);
+  EXPECT_EQ(again.measured.distance, 0.0);
+  EXPECT_EQ(again.measured.point_on_a, before.measured.point_on_a);
+  EXPECT_LT(again.visits, before.visits);
+  const Pose beside = at(0.3);
+  EXPECT_EQ(distanceBetween(outer, {small_, beside}, *memory_, {}, limits).measured.distance,
+            distanceBetween(outer, {small_, beside}, *memory_).measured.distance);
+}
+
 TEST_F(MeshContactTest, budgetSpent_isOpen) {
   MeshContactQuery query;
   query.visit_budget = 1;
