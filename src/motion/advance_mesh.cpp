@@ -110,7 +110,7 @@ Holding lookInside(MeshQueryMemory& memory, Sweep& sweep) noexcept {
   if (!sweep.pair.a.openSurface() && !sweep.pair.b.openSurface()) {
     return {};
   }
-  Holding held = pointHeld(sweep.pair, memory);
+  Holding held = pointHeld(sweep.pair, memory, {});
   if (std::isfinite(held.outside)) {
     const Approach& approach = sweep.approach;
     const Consumption motion = ofBall(approach, approach.center, approach.radius);

@@ -66,29 +66,53 @@ const std::vector<Eigen::Vector3d>& probesOf(const MeshTree& other,
   return solid.isClosed() ? other.pieces() : other.probes();
 }
 
-// Finds a probe of `other` inside `solid`; none: kNone. Frames: that of `other`.
-std::uint32_t findHeld(const MeshTree& solid, const MeshTree& other, const Pose& solid_from_other,
-                       bool asks_outside, MeshQueryMemory& memory, Holding& holding) noexcept {
+// Two meshes, one of which is asked whether it holds a probe of the other.
+struct Asked {
+  const MeshTree& solid;
+  const MeshTree& other;
+  Pose solid_from_other;
+  std::size_t first;  // HeldProbe of the first probe
+};
+
+// What is kept of a probe, if there is room for it.
+KeptProbe* keptOf(const HoldingQuery& query, std::size_t probe) noexcept {
+  return query.asks_outside && query.kept != nullptr && probe < query.kept->size()
+             ? &(*query.kept)[probe]
+             : nullptr;
+}
+
+// Finds a probe inside; none: kNone.
+std::uint32_t findHeld(const Asked& asked, const HoldingQuery& query, MeshQueryMemory& memory,
+                       Holding& holding) noexcept {
+  const MeshTree& solid = asked.solid;
   if (!solid.hasInside()) {
     return kNone;
   }
   const ConvexHull::Face* last = nullptr;  // a probe was beyond it
-  const std::vector<Eigen::Vector3d>& probes = probesOf(other, solid);
+  const std::vector<Eigen::Vector3d>& probes = probesOf(asked.other, solid);
   for (std::uint32_t i = 0; i < probes.size(); ++i) {
-    const Eigen::Vector3d point = solid_from_other * probes[i];
+    const Eigen::Vector3d point = asked.solid_from_other * probes[i];
+    KeptProbe* const kept = keptOf(query, asked.first + i);
+    if (const auto left = kept != nullptr ? kept->leftAt(point) : std::nullopt) {
+      holding.outside = std::min(holding.outside, std::max(*left, leastHold(solid)));
+      continue;
+    }
     const auto is_beyond = [&](const ConvexHull::Face& face) {
       return face.normal.dot(point) > face.offset;
     };
-    if (!asks_outside && !solid.isClosed() &&
+    if (!query.asks_outside && !solid.isClosed() &&
         isBeyondAnyFace(*solid.openSurface(), last, is_beyond)) {
       continue;
     }
-    const PointInMesh lies = lookInside(solid, point, memory, asks_outside);
+    const PointInMesh lies = lookInside(solid, point, memory, query.asks_outside);
     holding.visits += lies.visits;
     if (lies.is_inside) {
       return i;
     }
     holding.outside = std::min(holding.outside, std::max(lies.hold, leastHold(solid)));
+    if (kept != nullptr) {
+      *kept = {point, lies.hold, query.apart};
+    }
   }
   return kNone;
 }
@@ -97,17 +121,19 @@ std::uint32_t findHeld(const MeshTree& solid, const MeshTree& other, const Pose&
 
 double leastHold(const MeshTree& open) noexcept { return 1e-3 * open.radius(); }
 
-Holding pointHeld(const MeshPair& pair, MeshQueryMemory& memory, bool asks_outside) noexcept {
+Holding pointHeld(const MeshPair& pair, MeshQueryMemory& memory,
+                  const HoldingQuery& query) noexcept {
   Holding holding;
-  const auto& of_b = probesOf(pair.b, pair.a);
-  const std::uint32_t in_a = findHeld(pair.a, pair.b, pair.a_from_b, asks_outside, memory, holding);
+  const std::vector<Eigen::Vector3d>& of_b = probesOf(pair.b, pair.a);
+  const Asked asked_a{pair.a, pair.b, pair.a_from_b, 0};
+  const std::uint32_t in_a = findHeld(asked_a, query, memory, holding);
   if (in_a != kNone) {
     holding.point = pair.a_from_b * of_b[in_a];
     holding.probe = in_a;
     return holding;
   }
-  const std::uint32_t in_b =
-      findHeld(pair.b, pair.a, inverse(pair.a_from_b), asks_outside, memory, holding);
+  const Asked asked_b{pair.b, pair.a, inverse(pair.a_from_b), of_b.size()};
+  const std::uint32_t in_b = findHeld(asked_b, query, memory, holding);
   if (in_b != kNone) {
     holding.point = probesOf(pair.a, pair.b)[in_b];
     holding.probe = static_cast<HeldProbe>(of_b.size()) + in_b;
@@ -163,7 +189,8 @@ MeshContact contactOf(const PlacedMesh& a, const PlacedMesh& b, const MeshContac
   if (found.state == MeshContact::State::apart && query.outside > 0.0) {
     found.outside = query.outside;
   } else if (found.state == MeshContact::State::apart) {
-    const Holding held = pointHeld(pair, memory, query.asks_outside);
+    const Holding held =
+        pointHeld(pair, memory, {query.asks_outside, query.distance, query.probes});
     found.visits += held.visits;
     found.outside = held.outside;
     found.held = held.probe;

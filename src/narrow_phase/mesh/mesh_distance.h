@@ -128,6 +128,7 @@ struct MeshContactQuery {
   double outside{0.0};
   std::uint32_t visit_budget{std::numeric_limits<std::uint32_t>::max()};  ///< as MeshQueryLimits
   HeldProbe held{kNone};                                                  ///< as MeshQueryLimits
+  KeptProbes* probes{nullptr};  ///< of earlier queries of the same meshes, and for later ones
 };
 
 /// Finds whether surfaces come within a distance of each other, or one mesh that has an inside

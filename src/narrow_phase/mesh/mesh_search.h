@@ -142,10 +142,17 @@ struct Holding {
   std::uint32_t visits{0};  ///< of open surfaces, converted to nodes
 };
 
+/// What is asked of all probes.
+struct HoldingQuery {
+  bool asks_outside{true};  ///< also finds Holding::outside; else it means nothing
+  double apart{0.0};        ///< [m] a lower bound of the distance of the surfaces
+  KeptProbes* kept{nullptr};
+};
+
 /// For surfaces that do not cross. A closed mesh then holds a piece of the other as a whole or not
-/// at all. An open one is asked for all probes of the other.
-/// @param asks_outside also finds Holding::outside; else it means nothing.
-Holding pointHeld(const MeshPair& pair, MeshQueryMemory& memory, bool asks_outside = true) noexcept;
+/// at all. An open one is asked for all probes of the other whose kept answer no longer holds.
+Holding pointHeld(const MeshPair& pair, MeshQueryMemory& memory,
+                  const HoldingQuery& query) noexcept;
 
 /// Asks for one probe alone. @param probe may be none
 Holding probeHeld(const MeshPair& pair, HeldProbe probe, MeshQueryMemory& memory) noexcept;

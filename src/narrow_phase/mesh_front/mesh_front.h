@@ -11,6 +11,7 @@
 #include "collision_monitor/geometry/ids.h"
 #include "collision_monitor/geometry/pose.h"
 #include "geometry/fixed_room.h"
+#include "narrow_phase/mesh_inside/kept_probe.h"
 
 /// What a search of a mesh and something else leaves for the next one about the same two. Units:
 /// metres.
@@ -65,6 +66,7 @@ struct MeshFront {
   double margin{0.0};           ///< [m] triangles are measured this far beyond the nearest
   double apart{0.0};            ///< [m] between the surfaces; 0 if one was inside the other
   double outside{0.0};          ///< [m] as MeshDistance::outside
+  KeptProbes probes;            ///< of two meshes
   std::uint32_t from_roots{0};  ///< visits of the search from the roots
   bool is_whole{false};         ///< that search was complete
   std::uint32_t size{0};        ///< number of pairs

@@ -99,8 +99,13 @@ ElementContact touchTriangles(const PlacedElement& a, const PlacedElement& b,
                               ElementSearch& search) noexcept {
   TrianglePair& last = search.memory.nearest;
   MeshQueryMemory& memory = search.scratch.mesh;
-  const MeshContactQuery query{reach, goal.asks_outside, goal.outside,
-                               search.budget - std::min(search.budget, work), search.memory.held};
+  const MeshContactQuery query{
+      reach,
+      goal.asks_outside,
+      goal.outside,
+      search.budget - std::min(search.budget, work),
+      search.memory.held,
+      search.memory.front != nullptr ? &search.memory.front->probes : nullptr};
   const MeshContact found = isSimple(b)   ? contactOf(meshOf(a), convexOf(b), query, memory, last)
                             : isSimple(a) ? contactOf(meshOf(b), convexOf(a), query, memory, last)
                                           : contactOf(meshOf(a), meshOf(b), query, memory, last);
