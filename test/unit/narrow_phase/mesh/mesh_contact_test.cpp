@@ -90,6 +90,29 @@ TEST_F(MeshContactTest, probeHeldBefore_isAskedFirst) {
   }
 }
 
+TEST_F(MeshContactTest, probesOutsideBefore_areAskedAgainOnlyAfterTravel) {
+  const MeshTree outer = test::openTree(withoutATriangle());
+  KeptProbes kept;
+  const auto touchAt = [&](double x, KeptProbes* probes) {
+    MeshContactQuery query;
+    query.distance = 0.01;
+    query.asks_outside = true;
+    query.probes = probes;
+    return contactOf({outer, Pose()}, {small_, at(x)}, query, *memory_);
+  };
+  const double outside = touchAt(0.3, &kept).outside;
+  const KeptProbe first = kept[0];
+  EXPECT_GE(first.hold, outside);
+  EXPECT_EQ(first.apart, 0.01);
+  const MeshContact near_by = touchAt(0.301, &kept);
+  EXPECT_EQ(near_by.state, State::apart);
+  EXPECT_EQ(kept[0].point, first.point) << "it was not asked";
+  EXPECT_NEAR(near_by.outside, outside - 0.001, 1e-12);
+  EXPECT_EQ(touchAt(0.32, &kept).state, State::apart);
+  EXPECT_NE(kept[0].point, first.point) << "it moved by more than the surfaces were apart";
+  EXPECT_EQ(touchAt(0.0, &kept).state, State::contact) << "a jump into the other";
+}
+
 TEST_F(MeshContactTest, distanceOfAProbeHeldBefore_isThatOfAnyOther) {
   MeshQueryLimits limits;
   const PlacedMesh outer{box_, Pose()};
