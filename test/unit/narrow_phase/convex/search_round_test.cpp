@@ -48,7 +48,8 @@ Pose turnedAboutY(double angle, const Vector3d& translation) {
 }
 
 TEST(SearchRound, sideAcrossACap_isAsFarAsTheirPlanes) {
-  const Searched searched = search(kRoundCore, kRoundCore, turnedAboutY(std::acos(0.0), {0.4, 0.3, 2.0}));
+  const Searched searched =
+      search(kRoundCore, kRoundCore, turnedAboutY(std::acos(0.0), {0.4, 0.3, 2.0}));
   expectEarly(searched, 0.5);
   expectNear(searched.measured.normal_a_to_b, Vector3d::UnitZ(), "normal");
 }
@@ -62,7 +63,8 @@ TEST(SearchRound, sideOverAFace_isAsFarAsTheirPlanes) {
 
 TEST(SearchRound, levelSideBeyondTheCap_isNotAsFarAsTheirPlanes) {
   // The rims are nearest: across the axes there is 0.5 m, but nothing of one is over the other.
-  const Searched searched = search(kRoundCore, kRoundCore, turnedAboutY(std::acos(0.0), {0.0, 3.0, 2.0}));
+  const Searched searched =
+      search(kRoundCore, kRoundCore, turnedAboutY(std::acos(0.0), {0.0, 3.0, 2.0}));
   EXPECT_TRUE(searched.is_early);
   EXPECT_GT(searched.measured.distance, 1.5);
   EXPECT_NEAR(searched.measured.distance, searched.full.simplex.distance, 1e-9);
