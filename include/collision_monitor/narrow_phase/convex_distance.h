@@ -37,7 +37,9 @@ struct ConvexSearch {
   /// [m] A search may stop once it proves a greater distance. The answer is then a lower bound that
   /// is at least the cutoff.
   double cutoff{std::numeric_limits<double>::infinity()};
-  bool jumps{false};  ///< this pose has nothing to do with that of the last search
+  /// The pair did not move here from the poses of its last search. A cylinder's search then does
+  /// not start from the points of that one.
+  bool jumps{false};
 };
 
 /// Measures the distance of A and B. If they overlap, it is minus their penetration depth.

@@ -137,6 +137,8 @@ bool depthByAxes(ConvexPair& pair, ConvexWarmStart& warm, SignedDistance& found)
 }  // namespace
 
 ConvexDistance searchCores(ConvexPair& pair, ConvexSearch& search) noexcept {
+  // A bound up to the touching distance does not tell cores apart.
+  search.cutoff = std::max(search.cutoff, 2.0 * touchingDistance(pair));
   ConvexDistance found{SignedDistance{}, Quality::exact};
   if (distanceOfParallelAxes(pair, found.measured)) {
     return found;

@@ -12,7 +12,7 @@
 namespace collision_monitor {
 namespace {
 
-// A point of a cylinder near a rim, moved onto it: there, chords of the rim approach it.
+// Moves a point near a rim onto it. The points of GJK lie on chords of rims.
 Eigen::Vector3d nearRim(const Eigen::Vector3d& point,
                         const Eigen::Vector3d& half_extents) noexcept {
   constexpr double kNearly = 0.9;
@@ -69,7 +69,7 @@ bool finishLevel(ConvexPair& pair, const Eigen::Vector3d& direction,
   return false;
 }
 
-// Keeps the closest points so far. Those of two cylinders mostly approach a rim.
+// Keeps the closest points so far. Of two cylinders at least one is mostly on a rim.
 void keepClosest(const GjkResult& paused, const ConvexPair& pair, ConvexWarmStart& warm) noexcept {
   keepWarm(paused.simplex.vertices.data(), paused.simplex.size, pair, warm);
   if (isSmooth(pair.a) && isSmooth(pair.b)) {
@@ -77,6 +77,13 @@ void keepClosest(const GjkResult& paused, const ConvexPair& pair, ConvexWarmStar
     warm.ends[0] = {nearRim(paused.simplex.pointOnA(), pair.a.half_extents),
                     nearRim(paused.simplex.pointOnB(), pair.b.half_extents)};
   }
+}
+
+// Along nearly parallel rims the closest points are hard to tell, and GJK finds better ones.
+bool areNearlyParallel(const ConvexPair& pair) noexcept {
+  constexpr double kSine = 1e-2;
+  return isSmooth(pair.a) && isSmooth(pair.b) &&
+         pair.a_from_b.rotation.col(2).head<2>().norm() < kSine;
 }
 
 // Follows the corners, edges and rims that are kept.
@@ -101,7 +108,7 @@ bool searchRound(ConvexPair& pair, ConvexSearch& search, GjkResult& found,
     if (found.lower > touchingDistance(pair)) {
       keepClosest(found, pair, search.warm);
       if (finishLevel(pair, found.simplex.normal, measured) ||
-          finishRound(pair, search.warm, measured)) {
+          (!areNearlyParallel(pair) && finishRound(pair, search.warm, measured))) {
         return true;
       }
     }

@@ -40,8 +40,8 @@ struct TrianglePair {
   std::uint32_t b{kNone};
 };
 
-/// A point of one of two meshes that the other is asked for, by index: first those of B, then those
-/// of A. Kept from one query to the next, as long as the other holds it.
+/// Names a probe: a point of one of two meshes, for which the other is asked whether it holds it.
+/// Numbers first the probes of B, then those of A.
 using HeldProbe = std::uint32_t;
 
 struct MeshDistance {
@@ -53,7 +53,7 @@ struct MeshDistance {
   /// [m] If apart: without meeting the surface, a mesh may travel this far, seen from the other,
   /// before it can be inside an open one. Infinite for closed meshes.
   double outside{std::numeric_limits<double>::infinity()};
-  HeldProbe held{kNone};  ///< if overlapping only because one mesh holds it
+  HeldProbe held{kNone};  ///< the probe that proves the overlap; none if triangles do
 };
 
 /// Limits at which a query may stop early. The defaults have no effect.
@@ -70,7 +70,7 @@ struct MeshQueryLimits {
   /// [m] What is known before: the convex hulls of both are this far apart. So the surfaces are no
   /// nearer, and neither mesh holds a point of the other. 0: nothing is known.
   double at_least{0.0};
-  HeldProbe held{kNone};  ///< before; asked first: if one mesh still holds it, they overlap
+  HeldProbe held{kNone};  ///< the probe that was held before; it is asked first
 };
 
 /// Scratch of a query; one per thread. Its content means nothing between queries. It is large: keep

@@ -9,22 +9,23 @@
 
 namespace collision_monitor {
 
-/// A probe that was outside of a mesh. Whether a point is inside depends only on where it is, and
-/// along a segment that does not cross the surface the winding number changes slowly. So the answer
-/// holds for other places near by.
+/// A probe that was outside of a mesh. It is outside at any place near by that a segment reaches
+/// without crossing the surface, because the winding number changes slowly along that segment.
 struct KeptProbe {
   Eigen::Vector3d point{Eigen::Vector3d::Zero()};  ///< [m] in the frame of that mesh
   double hold{0.0};                                ///< [m] as PointInMesh::hold
-  double apart{0.0};                               ///< [m] a lower bound of its distance then
+  /// [m] A lower bound of the distance from `point` to the surface.
+  double apart{0.0};
 
-  /// [m] How far the probe may still travel, if the answer holds where it is now.
+  /// [m] How far the probe may travel from where it is now until it can be inside. Nothing if it
+  /// may be inside now.
   std::optional<double> leftAt(const Eigen::Vector3d& now) const noexcept {
     const double moved = (now - point).norm();
     return moved < std::min(hold, apart) ? std::make_optional(hold - moved) : std::nullopt;
   }
 };
 
-/// The first probes of two meshes, by HeldProbe. Later ones are asked each time.
+/// By HeldProbe (mesh_distance.h). Probes beyond the last are asked each time.
 using KeptProbes = std::array<KeptProbe, 32>;
 
 }  // namespace collision_monitor

@@ -73,7 +73,7 @@ class ContactForecast {
 struct RefineMemory {
   ConvexWarmStart warm;
   TrianglePair nearest;
-  HeldProbe held{kNone};  ///< of the last contact, if that is only by one mesh inside the other
+  HeldProbe held{kNone};  ///< as MeshDistance::held, of the last query
   LastMeasurement last;
   LastMeasurement before;          ///< the one before `last`, at other poses
   MeshFront* front{nullptr};       ///< where a mesh is searched; null: starts at the roots
