@@ -73,11 +73,11 @@ class ContactForecast {
 struct RefineMemory {
   ConvexWarmStart warm;
   TrianglePair nearest;
-  HeldProbe held{kNone};  ///< as MeshDistance::held, of the last query
   LastMeasurement last;
   LastMeasurement before;          ///< the one before `last`, at other poses
   MeshFront* front{nullptr};       ///< where a mesh is searched; null: starts at the roots
   ContactForecast triangles_meet;  ///< that a test of few triangles finds a contact
+  HeldProbe held{kNone};           ///< as MeshDistance::held, of the last query
   KeptDepth* depth{nullptr};  ///< of two elements with meshes, one or both not convex; keptDepth
   FixedRoom<KeptDepth>* depths{nullptr};  ///< room for `depth`, where there is none yet
 };
