@@ -121,6 +121,23 @@ TEST(CylinderCylinder, crossedSides_distanceIsBetweenAxesLessRadii) {
 }
 
 // A rim point of the lying can is lowest: the middle of its side line is one of many.
+TEST(CylinderCylinder, nearlyParallelAndFar_cutoffZeroDoesNotMakeThemOverlap) {
+  Pose far;
+  far.translation = {17.445609167352728, 67.487553167358641, 173.21678353553381};
+  far.rotation.col(0) << 0.87582261436196007, 0.48263314035836924, -1.6841828532337328e-12;
+  far.rotation.col(1) << 0.48263314035836924, -0.87582261436196007, 4.1319696287498208e-13;
+  far.rotation.col(2) << -1.2756228818046424e-12, -1.1747297036646543e-12, -1.0;
+  ConvexWorkspace workspace;
+  ConvexWarmStart warm;
+  ConvexSearch search{workspace, warm, 0.0};
+  const ConvexDistance found =
+      signedDistanceBetween(Cylinder{186.56073867245519, 0.019445113525614253}, far,
+                            Cylinder{0.012015946876971521, 0.36595223749718708}, Pose{}, search);
+  const double distance = 69.3205501119;
+  EXPECT_LE(found.measured.distance, distance + 1e-9);
+  EXPECT_TRUE(found.quality != Quality::exact || found.measured.distance > distance - 1e-9);
+}
+
 TEST(CylinderHull, lyingOnFace_isHeightLessRadius) {
   expectExact(measureCold(Cylinder{0.5, 0.25}, {zToX(), {0, 0, 1.5}}, cubeHull(1), Pose{}), 0.25,
               1e-11);
