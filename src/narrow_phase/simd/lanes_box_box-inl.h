@@ -116,8 +116,15 @@ HWY_INLINE Truth hasEdgeAcross(const BoxPairLanes& pair, const Vector3& directio
   return has_edge;
 }
 
-/// In A's frame.
-HWY_INLINE CoreAnswer answerAlong(const BoxPairLanes& pair, const BestAxis& best) {
+/// An answer, and in which lanes no other points are as near.
+struct UniqueAnswer {
+  CoreAnswer cores;
+  Truth is_unique;
+};
+
+/// In A's frame. Its distance is proven where it is sure: by points on both boxes, and by a plane
+/// between them.
+HWY_INLINE UniqueAnswer answerAlong(const BoxPairLanes& pair, const BestAxis& best) {
   const AxisContact contact = contactAlong(pair, best);
   CoreAnswer cores{contact.gap, contact.point_on_a, contact.normal};
   const Truth by_corner = hn::AndNot(contact.holds, hn::Gt(contact.gap, number(kTouching)));
@@ -132,15 +139,15 @@ HWY_INLINE CoreAnswer answerAlong(const BoxPairLanes& pair, const BestAxis& best
              select(by_corner, corner.point_on_a, cores.point_on_a),
              select(by_corner, corner.normal, cores.normal)};
   }
-  const Truth is_sure = hn::And(is_unique, hn::Or(contact.holds, by_corner));
-  cores.distance = sureWhere(is_sure, cores.distance);
-  return cores;
+  cores.distance = sureWhere(hn::Or(contact.holds, by_corner), cores.distance);
+  return {cores, is_unique};
 }
 
 HWY_INLINE CoreAnswer coreDistance(const BoxCore& a, const BoxCore& b) {
   const BoxPairLanes pair = boxPairInLanes(a, b);
-  const CoreAnswer cores = answerAlong(pair, bestAxis<false>(pair));
-  return {cores.distance, a.center + out(a.axes, cores.point_on_a), out(a.axes, cores.normal)};
+  const auto [cores, is_unique] = answerAlong(pair, bestAxis<false>(pair));
+  return {sureWhere(is_unique, cores.distance), a.center + out(a.axes, cores.point_on_a),
+          out(a.axes, cores.normal)};
 }
 
 /// False if an axis across a face parts the shapes by more than `reach`.
@@ -165,11 +172,8 @@ HWY_INLINE BestAxis axisWithin(const BoxPairLanes& pair, Number reach, Truth& co
   return best;
 }
 
-HWY_INLINE Number gapAlong(const BestAxis& best) {
-  return hn::Div(best.numerator, hn::Sqrt(best.sine_squared));
-}
-
-/// If boxes overlap, the best axis gives the depth, and no point needs to prove it.
+/// If boxes overlap, the best axis gives the depth, and no point needs to prove it. The nearest
+/// points need not be unique.
 HWY_INLINE Number separationWithin(const BoxCore& a, const BoxCore& b, Number reach,
                                    Truth& counts) {
   const BoxPairLanes pair = boxPairInLanes(a, b);
@@ -178,11 +182,11 @@ HWY_INLINE Number separationWithin(const BoxCore& a, const BoxCore& b, Number re
     return best.numerator;
   }
   const Number gap = gapAlong(best);
-  const Truth is_depth = hn::And(isSkew(pair), hn::Le(gap, zero()));
+  const Truth is_depth = hn::Le(gap, zero());
   if (hn::AllFalse(Lanes(), hn::AndNot(is_depth, counts))) {
     return gap;
   }
-  return hn::IfThenElse(is_depth, gap, answerAlong(pair, best).distance);
+  return hn::IfThenElse(is_depth, gap, answerAlong(pair, best).cores.distance);
 }
 
 /// A lower bound of separationWithin; it takes no search for points.

@@ -42,6 +42,10 @@ struct BestAxis {
   Number of_b;  ///< the same for B
 };
 
+HWY_INLINE Number gapAlong(const BestAxis& best) {
+  return hn::Div(best.numerator, hn::Sqrt(best.sine_squared));
+}
+
 HWY_INLINE void consider(Number numerator, Number sine_squared, Number of_a, Number of_b,
                          BestAxis& best) {
   const Number square = hn::Mul(numerator, hn::Abs(numerator));

@@ -95,29 +95,57 @@ HWY_INLINE Number cleaned(Number component) {
   return hn::IfThenElseZero(hn::Gt(hn::Abs(component), number(kParallel)), component);
 }
 
-HWY_INLINE CoreAnswer coreDistance(const SegmentCore& a, const BoxCore& b) {
-  const Vector3 direction = into(b.axes, a.direction);
-  const Vector3 half_segment{zero(), zero(), a.half_length};
+/// A segment seen from a box, and its point nearest to the box. Frames: the box's.
+struct SegmentByBox {
+  Vector3 center;
+  Vector3 direction;
+  Number half_length;
+  Vector3 half_box;
+  Number tolerance;
+  Vector3 on_segment{};
+  Vector3 to_box{};   ///< from there
+  Number distance{};  ///< 0 where the segment is in the box
+
+  HWY_INLINE Truth isThrough() const { return hn::Le(distance, number(kTouching)); }
+
+  HWY_INLINE BoxPairLanes asPair() const {
+    const Vector3 none{zero(), zero(), zero()};
+    return {{none, none, direction}, center, half_box, {zero(), zero(), half_length}, tolerance};
+  }
+};
+
+HWY_INLINE SegmentByBox seenFromBox(const SegmentCore& a, const BoxCore& b) {
   const Vector3 center = into(b.axes, a.center - b.center);
-  const Number tolerance = toleranceInLanes(b.half_extents, half_segment, center);
-  const SegmentInBox here{center,
-                          {cleaned(direction.x), cleaned(direction.y), cleaned(direction.z)},
-                          a.half_length,
-                          b.half_extents,
-                          tolerance};
-  Vector3 on_segment = along(center, nearestInLanes(here), here.direction);
-  const Vector3 between = clamped(b.half_extents, on_segment) - on_segment;
-  Number distance = norm(between);
-  Vector3 normal = scaled(hn::Div(number(1.0), distance), between);
+  const Vector3 half_segment{zero(), zero(), a.half_length};
+  return {center, into(b.axes, a.direction), a.half_length, b.half_extents,
+          toleranceInLanes(b.half_extents, half_segment, center)};
+}
+
+HWY_INLINE void findNearest(SegmentByBox& pair) {
+  const SegmentInBox here{
+      pair.center,
+      {cleaned(pair.direction.x), cleaned(pair.direction.y), cleaned(pair.direction.z)},
+      pair.half_length,
+      pair.half_box,
+      pair.tolerance};
+  pair.on_segment = along(pair.center, nearestInLanes(here), here.direction);
+  pair.to_box = clamped(pair.half_box, pair.on_segment) - pair.on_segment;
+  pair.distance = norm(pair.to_box);
+}
+
+HWY_INLINE CoreAnswer coreDistance(const SegmentCore& a, const BoxCore& b) {
+  SegmentByBox pair = seenFromBox(a, b);
+  findNearest(pair);
+  Number distance = pair.distance;
+  Vector3 on_segment = pair.on_segment;
+  Vector3 normal = scaled(hn::Div(number(1.0), distance), pair.to_box);
   const Truth is_apart = hn::Gt(distance, number(kNear));
-  const Truth is_through = hn::Le(distance, number(kTouching));
+  const Truth is_through = pair.isThrough();
   Truth is_sure = is_apart;
   if (!hn::AllFalse(Lanes(), is_through)) {
-    const Vector3 none{zero(), zero(), zero()};
-    const BoxPairLanes pair{
-        {none, none, direction}, center, b.half_extents, half_segment, tolerance};
-    const AxisContact contact = contactAlong(pair, bestAxis<true>(pair));
-    is_sure = hn::Or(is_apart, hn::And(is_through, hn::And(contact.holds, isSkew(direction))));
+    const BoxPairLanes boxes = pair.asPair();
+    const AxisContact contact = contactAlong(boxes, bestAxis<true>(boxes));
+    is_sure = hn::Or(is_apart, hn::And(is_through, hn::And(contact.holds, isSkew(pair.direction))));
     distance = hn::IfThenElse(is_through, contact.gap, distance);
     normal = select(is_through, negated(contact.normal), normal);
     on_segment =
@@ -126,16 +154,22 @@ HWY_INLINE CoreAnswer coreDistance(const SegmentCore& a, const BoxCore& b) {
   return {sureWhere(is_sure, distance), b.center + out(b.axes, on_segment), out(b.axes, normal)};
 }
 
-/// The extents of the segment along the axes of the box part most pairs.
+/// The extents of the segment along the axes of the box part most pairs. Where the segment is in
+/// the box, the best axis gives the depth, and no point needs to prove it.
 HWY_INLINE Number separationWithin(const SegmentCore& a, const BoxCore& b, Number reach,
                                    Truth& counts) {
-  const Vector3 center = into(b.axes, a.center - b.center);
-  const Vector3 beside = absolute(into(b.axes, a.direction));
-  const Vector3 gaps = absolute(center) - along(b.half_extents, a.half_length, beside);
-  const Vector3 half_segment{zero(), zero(), a.half_length};
-  const Number tolerance = toleranceInLanes(b.half_extents, half_segment, center);
-  counts = hn::AndNot(isBeyond(gaps, hn::Add(reach, tolerance)), counts);
-  return hn::AllFalse(Lanes(), counts) ? zero() : coreDistance(a, b).distance;
+  SegmentByBox pair = seenFromBox(a, b);
+  const Vector3 gaps =
+      absolute(pair.center) - along(b.half_extents, a.half_length, absolute(pair.direction));
+  counts = hn::AndNot(isBeyond(gaps, hn::Add(reach, pair.tolerance)), counts);
+  if (hn::AllFalse(Lanes(), counts)) {
+    return zero();
+  }
+  findNearest(pair);
+  const Truth is_through = pair.isThrough();
+  return hn::AllFalse(Lanes(), is_through)
+             ? pair.distance
+             : hn::IfThenElse(is_through, gapAlong(bestAxis<true>(pair.asPair())), pair.distance);
 }
 
 // NOLINTNEXTLINE(google-readability-namespace-comments)

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 #include "collision_monitor/model/kinematics.h"
 #include "narrow_phase/distance.h"
@@ -49,9 +50,25 @@ JointPositions randomPositions(const CycleSetup& setup, Random& random) {
   return positions;
 }
 
+/// The same with all bodies level: their faces and edges stay parallel, but for rounding and joints
+/// that turn.
+CycleSetup levelRobot(unsigned seed) {
+  CycleSetup setup = randomRobot(seed);
+  for (Joint& joint : setup.model.joints) {
+    joint.parent_from_joint.rotation.setIdentity();
+    joint.axis = Eigen::Vector3d::Unit(static_cast<Eigen::Index>(seed % 3));
+  }
+  for (Body& body : setup.bodies) {
+    body.link_from_body.rotation.setIdentity();
+  }
+  return setup;
+}
+
 /// A robot somewhere, and positions of its joints.
 struct Scene {
-  explicit Scene(unsigned seed) : setup(randomRobot(seed)) {
+  explicit Scene(unsigned seed) : Scene(randomRobot(seed), seed) {}
+
+  Scene(CycleSetup its_setup, unsigned seed) : setup(std::move(its_setup)) {
     Random random(seed);
     roots = {randomPose(random, 1.0)};
     positions = randomPositions(setup, random);
@@ -128,6 +145,27 @@ TEST(CheckStatesLaws, verdictsAndDistancesAreThoseOfEveryStateAlone_onEveryInstr
   }
   EXPECT_GT(contacts, 100U);
   EXPECT_GT(clear, 100U);
+}
+
+/// No points are told, so none need be unique.
+TEST(CheckStatesLaws, distancesOfLevelBodiesAreThoseOfPlainTwins) {
+  std::size_t deep = 0;
+  std::size_t apart = 0;
+  for (unsigned round = 0; round < 60; ++round) {
+    SCOPED_TRACE(testing::Message() << "seed " << kSeed + round);
+    Scene scene(levelRobot(kSeed + round), kSeed + round);
+    auto& [setup, roots, positions, work] = scene;
+    std::vector<StateCheck> nearest;
+    checkStates(setup, positions, StateQuestion::nearest, work, nearest);
+    for (std::size_t i = 0; i < kStates; ++i) {
+      const double least = leastByPlainTwins(setup, stateOf(setup, positions, i), roots);
+      ASSERT_NEAR(nearest[i].distance, least, 1e-12);
+      deep += least < 0.0 ? 1 : 0;
+      apart += least > 0.0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(deep, 100U);
+  EXPECT_GT(apart, 100U);
 }
 
 TEST(CheckStatesLaws, linkPairsAreAsFarApartAsTheirNearestBodies) {
