@@ -37,9 +37,10 @@ struct ConvexSearch {
   /// [m] A search may stop once it proves a greater distance. The answer is then a lower bound that
   /// is at least the cutoff.
   double cutoff{std::numeric_limits<double>::infinity()};
-  /// The pair did not move here from the poses of its last search. A cylinder's search then does
-  /// not start from the points of that one.
-  bool jumps{false};
+  /// The question stands alone: the pair did not move here from the poses of its last search, and
+  /// only the distance matters. A cylinder's search then starts anew, and ends at a depth within
+  /// 5e-8 m. The points need not be the middle of those that are equally near.
+  bool stands_alone{false};
 };
 
 /// Measures the distance of A and B. If they overlap, it is minus their penetration depth.

@@ -46,8 +46,9 @@ SignedDistance toHalfSpace(const Posed<A>& a, const Pose& world_from_half_space)
 
 // Returns true if the warm start proves the new answer.
 template <class A, class B>
-bool tryWarmStart(const Posed<A>& a, const Posed<B>& b, ConvexWarmStart& warm,
+bool tryWarmStart(const Posed<A>& a, const Posed<B>& b, const ConvexSearch& search,
                   SignedDistance& measured) noexcept {
+  ConvexWarmStart& warm = search.warm;
   const InflatedCore inflated_a = inflatedCoreOf(a.geometry);
   const InflatedCore inflated_b = inflatedCoreOf(b.geometry);
   const PlacedCore core_a{inflated_a.core, a.world_from_body, warm.vertex_of_a};
@@ -56,7 +57,7 @@ bool tryWarmStart(const Posed<A>& a, const Posed<B>& b, ConvexWarmStart& warm,
   if (!confirmed) {
     return false;
   }
-  if (confirmed->is_level) {
+  if (confirmed->is_level && !search.stands_alone) {
     centerOnPatch(core_a, core_b, confirmed->cores);
   }
   measured = inflated(confirmed->cores, inflated_a.radius, inflated_b.radius);
@@ -67,7 +68,7 @@ template <class A, class B>
 ConvexDistance byCores(const Posed<A>& a, const Posed<B>& b, ConvexSearch& search) noexcept {
   ConvexWarmStart& warm = search.warm;
   ConvexDistance confirmed{SignedDistance{}, Quality::exact};
-  if (tryWarmStart(a, b, warm, confirmed.measured)) {
+  if (tryWarmStart(a, b, search, confirmed.measured)) {
     return confirmed;
   }
   if (!areFinite(a, b)) {
@@ -77,11 +78,11 @@ ConvexDistance byCores(const Posed<A>& a, const Posed<B>& b, ConvexSearch& searc
   const InflatedCore inflated_b = inflatedCoreOf(b.geometry);
   ConvexPair pair =
       makeConvexPair(inflated_a.core, a.world_from_body, inflated_b.core, b.world_from_body);
-  if (search.jumps && pair.isSmooth()) {
+  if (search.stands_alone && pair.isSmooth()) {
     forget(warm);  // along a cylinder, other points are a bad start
   }
   ConvexSearch of_cores{search.workspace, warm,
-                        search.cutoff + inflated_a.radius + inflated_b.radius};
+                        search.cutoff + inflated_a.radius + inflated_b.radius, search.stands_alone};
   const ConvexDistance found = searchCores(pair, of_cores);
   return {inflated(placed(a.world_from_body, found.measured), inflated_a.radius, inflated_b.radius),
           found.quality};
@@ -127,7 +128,7 @@ void keepFacing(const Posed<A>& a, const Posed<B>& b, const SignedDistance& meas
 template <class A, class B>
 ConvexDistance ofBoxes(const Posed<A>& a, const Posed<B>& b, ConvexSearch& search) noexcept {
   ConvexDistance found{SignedDistance{}, Quality::exact};
-  if (tryWarmStart(a, b, search.warm, found.measured)) {
+  if (tryWarmStart(a, b, search, found.measured)) {
     return found;
   }
   found = inClosedForm(a, b);

@@ -39,9 +39,20 @@ ConvexDistance answerApart(const ConvexPair& pair, const GjkResult& found) noexc
   return answer(found.lower, found.lower_direction, simplex.pointOnA(), Quality::lower_bound);
 }
 
+// [m] On a curved surface a step of EPA cuts the sag of a face to a quarter, so every digit has its
+// price.
+double toleranceOfDepth(const ConvexPair& pair, const ConvexSearch& search) noexcept {
+  constexpr double kAlone = 5e-8;
+  const double fine = 1e-10 * pair.size;
+  return !pair.isSmooth()      ? roundingOf(pair)
+         : search.stands_alone ? std::max(fine, std::min(kAlone, 100.0 * fine))
+                               : fine;
+}
+
 ConvexDistance answerOverlap(ConvexPair& pair, const GjkResult& found,
                              ConvexSearch& search) noexcept {
-  const Penetration deep = runEpa(pair, found.simplex, search.workspace);
+  const Penetration deep =
+      runEpa(pair, found.simplex, toleranceOfDepth(pair, search), search.workspace);
   if (deep.face_size > 0) {
     keepWarm(deep.face.data(), deep.face_size, pair, search.warm);
     if (deep.is_settled && !pair.isSmooth()) {
@@ -147,7 +158,7 @@ ConvexDistance searchCores(ConvexPair& pair, ConvexSearch& search) noexcept {
     return found;
   }
   found = searchApartOrDeep(pair, search);
-  if (found.quality == Quality::exact) {
+  if (found.quality == Quality::exact && !search.stands_alone) {
     const Pose origin;
     centerOnPatch({pair.a, origin, pair.vertex_of_a}, {pair.b, pair.a_from_b, pair.vertex_of_b},
                   found.measured);

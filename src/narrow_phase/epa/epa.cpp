@@ -102,16 +102,10 @@ bool isVertex(const SupportVertex& vertex, const ConvexWorkspace& polytope) noex
   });
 }
 
-// On a curved surface a step cuts the sag of a face to a quarter, so every digit has its price.
-// Depth has a looser tolerance than distance.
-double depthTolerance(const ConvexPair& pair) noexcept {
-  return pair.isSmooth() ? 1e-10 * pair.size : roundingOf(pair);
-}
-
 // Grows until the bounds meet: at a face that the difference exceeds by at most the tolerance, or,
 // if rounding keeps the nearest face from being refined, at the best plane.
-void refine(ConvexPair& pair, ConvexWorkspace& polytope, Penetration& best) noexcept {
-  const double tolerance = depthTolerance(pair);
+void refine(ConvexPair& pair, double tolerance, ConvexWorkspace& polytope,
+            Penetration& best) noexcept {
   // On a curved surface another plane may be as good, but its normal would not fit the points of
   // the nearest face.
   const double tie = pair.isSmooth() ? 0.0 : tolerance;
@@ -220,11 +214,10 @@ ClosestPoint closestOn(std::size_t index, const Eigen::Vector3d& closest,
 
 // The origin's projection on the best plane lies in a face: mostly the nearest, else the one that
 // comes closest to it. The points of any face will do, whatever its orientation.
-ClosestPoint findClosest(const ConvexPair& pair, const ConvexWorkspace& polytope,
+ClosestPoint findClosest(double tolerance, const ConvexWorkspace& polytope,
                          const Penetration& best) noexcept {
   const Eigen::Vector3d closest = best.depth * best.outward;
   ClosestPoint found = closestOn(nearestFace(polytope), closest, polytope);
-  const double tolerance = depthTolerance(pair);
   for (std::size_t f = 0; f < polytope.face_count && found.defect > tolerance * tolerance; ++f) {
     if (!polytope.faces[f].is_gone) {
       const ClosestPoint candidate = closestOn(f, closest, polytope);
@@ -246,7 +239,8 @@ void takePoints(const ClosestPoint& closest, const ConvexWorkspace& polytope,
 
 }  // namespace
 
-Penetration runEpa(ConvexPair& pair, const Simplex& simplex, ConvexWorkspace& polytope) noexcept {
+Penetration runEpa(ConvexPair& pair, const Simplex& simplex, double tolerance,
+                   ConvexWorkspace& polytope) noexcept {
   Tetrahedron start;
   start.corners = simplex.vertices;
   start.size = simplex.size;
@@ -255,8 +249,8 @@ Penetration runEpa(ConvexPair& pair, const Simplex& simplex, ConvexWorkspace& po
   }
   startPolytope(start.corners, polytope);
   Penetration best;
-  refine(pair, polytope, best);
-  takePoints(findClosest(pair, polytope, best), polytope, best);
+  refine(pair, tolerance, polytope, best);
+  takePoints(findClosest(tolerance, polytope, best), polytope, best);
   return best;
 }
 

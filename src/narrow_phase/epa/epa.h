@@ -30,11 +30,12 @@ struct Penetration {
 ///
 /// The depth is always proven by a support plane. The polytope lies inside and bounds it from
 /// below. If rounding keeps a face from being refined, its support plane is the answer.
-/// Error: if settled, both bounds differ by at most 1e-10 of the pair's size with a cylinder, and
-/// by rounding otherwise.
+/// Error: if settled, both bounds differ by at most the tolerance.
 /// Limits: a difference without volume (crossing segments, coplanar polygons) has depth 0.
 /// Source: van den Bergen, "Proximity Queries and Penetration Depth Computation on 3D Game Objects"
 /// (2001). Departure: the outline is checked before anything changes.
-Penetration runEpa(ConvexPair& pair, const Simplex& simplex, ConvexWorkspace& polytope) noexcept;
+/// @param tolerance [m] at least roundingOf(pair)
+Penetration runEpa(ConvexPair& pair, const Simplex& simplex, double tolerance,
+                   ConvexWorkspace& polytope) noexcept;
 
 }  // namespace collision_monitor

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Two boxes in lanes: distance_box_box.cpp for pairs in general position. That file takes boxes
-// with parallel axes.
+// Two boxes in lanes: distance_box_box.cpp for pairs in general position. Where axes are parallel,
+// it finds the points, and here only distances are sure.
 #if defined(COLLISION_MONITOR_LANES_BOX_BOX_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COLLISION_MONITOR_LANES_BOX_BOX_INL_H_
 #undef COLLISION_MONITOR_LANES_BOX_BOX_INL_H_

@@ -173,7 +173,7 @@ struct AxisContact {
   Truth holds;
 };
 
-/// @pre B's axes are parallel to no face of A.
+/// Where an axis of B is parallel to a face of A, the points may lie on no feature.
 HWY_INLINE AxisContact contactAlong(const BoxPairLanes& pair, const BestAxis& best) {
   const Number sine = hn::Sqrt(best.sine_squared);
   const Number gap = hn::Div(best.numerator, sine);

@@ -40,8 +40,8 @@ double stopBeyond(const PlacedElement& a, const PlacedElement& b,
 ElementDistance measureConvex(const PlacedElement& a, const PlacedElement& b,
                               ElementSearch& search) noexcept {
   const double cutoff =
-      search.serves_later ? std::numeric_limits<double>::infinity() : stopBeyond(a, b, search);
-  ConvexSearch convex{search.scratch.convex, search.memory.warm, cutoff, !search.serves_later};
+      search.stands_alone ? stopBeyond(a, b, search) : std::numeric_limits<double>::infinity();
+  ConvexSearch convex{search.scratch.convex, search.memory.warm, cutoff, search.stands_alone};
   const ConvexDistance found = signedDistanceBetween(
       *a.element.convex, a.world_from_element, *b.element.convex, b.world_from_element, convex);
   ElementDistance answer;
@@ -60,7 +60,7 @@ template <class Start>
 MeshDistance searchFrom(Start& start, const PlacedElement& a, const PlacedElement& b,
                         double at_least, ElementSearch& search) noexcept {
   const MeshQueryLimits limits{stopBeyond(a, b, search), search.budget, search.tolerance,
-                               search.serves_later,      at_least,      search.memory.held};
+                               !search.stands_alone,     at_least,      search.memory.held};
   if (isSimple(b)) {
     return distanceBetween(meshOf(a), convexOf(b), search.scratch.mesh, start, limits);
   }

@@ -25,9 +25,10 @@ struct ElementSearch {
   /// [m] > 0. A lower bound at or above the cutoff is a complete answer.
   double cutoff{std::numeric_limits<double>::infinity()};
   double tolerance{0.0};  ///< [m] as MeshQueryLimits::tolerance
-  /// Later searches start from the answer: it also gives ElementDistance::outside, and the distance
-  /// of convex geometries beyond the cutoff.
-  bool serves_later{true};
+  /// No later search starts from the answer, and only the distance matters: there is no
+  /// ElementDistance::outside, and no distance of convex geometries beyond the cutoff. See
+  /// ConvexSearch::stands_alone.
+  bool stands_alone{false};
 };
 
 /// Measures the signed distance of two elements, paddings included.

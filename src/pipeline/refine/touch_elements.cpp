@@ -81,7 +81,7 @@ ElementContact touchConvex(const PlacedElement& a, const PlacedElement& b, doubl
   if (!isFinite(a.world_from_element) || !isFinite(b.world_from_element)) {
     return settled(State::unknown, 0);
   }
-  if (!search.serves_later && (isCylinder(a) || isCylinder(b))) {
+  if (search.stands_alone && (isCylinder(a) || isCylinder(b))) {
     forget(search.memory.warm);
   }
   ElementContact told;

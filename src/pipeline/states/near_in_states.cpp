@@ -23,12 +23,12 @@ struct NearSearch {
 
   Number reachOf(double contact_distance) const { return hn::Max(asked, number(contact_distance)); }
 
-  /// Where geometries decide, a bound is enough to order pairs.
+  /// Where geometries give the answer, bodies only order the pairs and leave some out: a bound will
+  /// do.
   Number distanceOf(std::uint32_t id, const StatePair& pair, Number reach, Truth& counts) {
     const CycleSetup& setup = bodies.states.setup;
-    return query.asks_any && !areBodies(setup, setup.element_pair_of[id])
-               ? bodies.measure<true>(pair, reach, counts)
-               : bodies.measure(pair, reach, counts);
+    return areMeasured(setup, setup.element_pair_of[id]) ? bodies.measure<true>(pair, reach, counts)
+                                                         : bodies.measure(pair, reach, counts);
   }
 
   /// @return in which states the bodies are near

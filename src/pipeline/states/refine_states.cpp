@@ -55,13 +55,17 @@ double nextReach(double reach, const StateCheck& check) noexcept {
 }
 
 /// @param asked [m] by state; then the distance of the next query, if one is needed
-void findNearestOf(const CycleSetup& setup, StateNumber& asked, StatesWork& work,
-                   BlockChecks& checks) noexcept {
+/// @param known by state: from measureConvex
+void findNearestOf(const CycleSetup& setup, StateNumber& asked, const BlockChecks& known,
+                   StatesWork& work, BlockChecks& checks) noexcept {
   const NearQuery query{asked, 0, work.refinement.order.size()};
   visitAll(setup, query, work, [&](const StateSearch& state, bool is_known) noexcept {
-    StateCheck& check = checks[state.lane] = StateCheck();
-    check.verdict = is_known ? Verdict::clear : Verdict::unknown;
-    check.distance = kInfinity;
+    StateCheck& check = checks[state.lane] = known[state.lane];
+    if (!check.has_pair) {
+      check.verdict = Verdict::clear;
+      check.distance = kInfinity;
+    }
+    check.verdict = is_known ? check.verdict : std::max(check.verdict, Verdict::unknown);
     findNearest(state, check);
     asked.of[state.lane] = nextReach(asked.of[state.lane], check);
   });
@@ -202,15 +206,21 @@ void refineNearest(const CycleSetup& setup, const OpenStates& open, StatesWork& 
   const double farthest =
       largestOfLimits(setup, [](const Limits& limits) { return limits.warning_distance; });
   StateNumber asked;
+  BlockChecks known;
   for (std::size_t lane = 0; lane < kStateCount; ++lane) {
-    const double near = std::max(checks[lane].distance, 0.0) + kOvershoots;
-    const double reach = setup.own_limits.empty() ? std::min(near, farthest) : farthest;
-    asked.of[lane] = open[lane] ? reach : kNotAsked;
+    asked.of[lane] = kNotAsked;
+    if (open[lane]) {
+      ++work.refinement.state;
+      known[lane] = measureConvex({setup, work, lane}, checks[lane]);
+      const double near = std::max(checks[lane].distance, 0.0) + kOvershoots;
+      const double nearest = known[lane].has_pair ? known[lane].distance : near;
+      asked.of[lane] = setup.own_limits.empty() ? std::min({near, nearest, farthest}) : farthest;
+    }
   }
   constexpr int kMostQueries = 40;  // more than it takes to reach the farthest pair
   const auto isAsked = [](double distance) { return distance != kNotAsked; };
   for (int i = 0; i < kMostQueries && std::any_of(asked.of, asked.of + kStateCount, isAsked); ++i) {
-    findNearestOf(setup, asked, work, checks);
+    findNearestOf(setup, asked, known, work, checks);
   }
 }
 
@@ -220,7 +230,9 @@ void settleContacts(const CycleSetup& setup, StatesWork& work, OpenStates& open,
   StateNumber touching;
   for (std::size_t lane = 0; lane < kStateCount; ++lane) {
     const bool is_contact = open[lane] && checks[lane].verdict == Verdict::contact;
-    touching.of[lane] = is_contact ? kContactsAsked : kNotAsked;
+    touching.of[lane] = !is_contact                ? kNotAsked
+                        : setup.own_limits.empty() ? kContactsAsked
+                                                   : checks[lane].distance;
     open[lane] = open[lane] && !is_contact;
   }
   // Depths of concave geometries are not needed.

@@ -46,7 +46,7 @@ ElementSearch searchFor(const StateSearch& state, ElementPairIndex pair, double 
   }
   ElementSearch search{std::numeric_limits<std::uint32_t>::max(), memory, *refinement.scratch,
                        cutoff};
-  search.serves_later = false;
+  search.stands_alone = true;
   return search;
 }
 
@@ -60,7 +60,7 @@ bool isTouching(const StateSearch& state, const ElementsInState& pair) noexcept 
   return found.state != ElementContact::State::apart;
 }
 
-/// The distance of two elements, or the bound of their bodies if that is better.
+/// The distance of two elements, or the bound of their bodies if that is larger.
 StateCheck measure(const StateSearch& state, const ElementsInState& pair, double cutoff) noexcept {
   StateCheck check;
   check.has_pair = true;
@@ -187,12 +187,15 @@ bool areBodies(const CycleSetup& setup, ElementPairIndex pair) noexcept {
   return setup.elements[index(elements.a)].is_body && setup.elements[index(elements.b)].is_body;
 }
 
-bool isExact(const CycleSetup& setup, ElementPairIndex pair) noexcept {
+bool areMeasured(const CycleSetup& setup, ElementPairIndex pair) noexcept {
   const ElementPair& elements = setup.element_pairs[pair];
   const Element& a = setup.elements[index(elements.a)];
   const Element& b = setup.elements[index(elements.b)];
-  const double reach = contactOfElements(setup, pair) + a.padding + b.padding;
-  return !areBodies(setup, pair) && a.is_exact && b.is_exact && reach == 0.0;
+  return !areBodies(setup, pair) && a.is_exact && b.is_exact && a.padding + b.padding == 0.0;
+}
+
+bool isExact(const CycleSetup& setup, ElementPairIndex pair) noexcept {
+  return areMeasured(setup, pair) && contactOfElements(setup, pair) == 0.0;
 }
 
 bool listElements(const StateSearch& state, std::size_t place) noexcept {
@@ -244,7 +247,23 @@ bool findContact(const StateSearch& state, StateCheck& check) noexcept {
   return false;
 }
 
+StateCheck measureConvex(const StateSearch& state, const StateCheck& bodies) noexcept {
+  ElementsInState pair;
+  pair.elements = state.setup.element_pair_of[index(bodies.pair)];
+  pair.bodies = static_cast<std::uint32_t>(index(bodies.pair));
+  pair.bound = bodies.distance;
+  if (!areConvex(state.setup, pair.elements)) {
+    return {};
+  }
+  StateCheck found = measure(state, pair, kInfinity);
+  found.verdict = verdictOf(state, pair, found);
+  return found.quality == Quality::exact ? found : StateCheck();
+}
+
 void findNearest(const StateSearch& state, StateCheck& best) noexcept {
+  const bool is_measured = best.has_pair && best.quality == Quality::exact;
+  const ElementPairIndex known =
+      is_measured ? state.setup.element_pair_of[index(best.pair)] : ElementPairIndex(kNone);
   // The pair of the least bound comes first. Hulls raise a bound only when its turn comes, and
   // triangles are searched only if it comes again.
   std::vector<ElementsInState>& pairs = state.refinement().pairs;
@@ -252,6 +271,10 @@ void findNearest(const StateSearch& state, StateCheck& best) noexcept {
   for (auto end = pairs.end(); end != pairs.begin();) {
     std::pop_heap(pairs.begin(), end, isFarther);
     ElementsInState& pair = *(end - 1);
+    if (pair.elements == known) {
+      --end;
+      continue;
+    }
     if (state.setup.own_limits.empty() && !(pair.bound < best.distance)) {
       return;  // as little do all that are left
     }

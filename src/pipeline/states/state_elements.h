@@ -22,6 +22,9 @@ void putFirst(ElementPairIndex pair, std::vector<OrderedPair>& order) noexcept;
 /// Whether two elements are themselves bodies: nothing to refine.
 bool areBodies(const CycleSetup& setup, ElementPairIndex pair) noexcept;
 
+/// Whether the distance of two elements is that of their geometries: no bound of bodies is better.
+bool areMeasured(const CycleSetup& setup, ElementPairIndex pair) noexcept;
+
 /// Whether two geometries that touch are elements in contact, whatever their bodies say.
 bool isExact(const CycleSetup& setup, ElementPairIndex pair) noexcept;
 
@@ -36,7 +39,13 @@ void forgetElements(StatesRefinement& refinement) noexcept;
 bool findContact(const StateSearch& state, StateCheck& check) noexcept;
 
 /// Finds the nearest listed pair and the worst verdict.
-/// @param best what is known before: a contact, or that there is none
+/// @param best what is known before: a contact, that there is none, or measureConvex of a pair
 void findNearest(const StateSearch& state, StateCheck& best) noexcept;
+
+/// Measures the elements of two bodies if both are convex: an upper bound of the nearest distance
+/// that costs little.
+/// @param bodies the answer by enclosing shapes
+/// @return no pair if they are not convex, or not exact
+StateCheck measureConvex(const StateSearch& state, const StateCheck& bodies) noexcept;
 
 }  // namespace collision_monitor

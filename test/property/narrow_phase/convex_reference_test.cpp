@@ -30,6 +30,15 @@ struct Worst {
   int bounds{0};
 };
 
+/// A question that stands alone is answered with fewer steps.
+ConvexDistance measureAlone(const PosedConvexPair& pair) {
+  static ConvexWorkspace workspace;
+  ConvexWarmStart warm;
+  ConvexSearch search{workspace, warm};
+  search.stands_alone = true;
+  return signedDistanceBetween(*pair.a, pair.world_from_a, *pair.b, pair.world_from_b, search);
+}
+
 void check(const PosedConvexPair& pair, Worst& worst) {
   static ConvexWorkspace workspace;
   ConvexWarmStart warm;
@@ -50,6 +59,10 @@ void check(const PosedConvexPair& pair, Worst& worst) {
     const double below = is_bound ? 1e-6 : found > 0.0 ? 1e-9 : 1e-7;
     ASSERT_LE(found, static_cast<double>(reference) + above) << describe(pair);
     ASSERT_GE(found, static_cast<double>(reference) - below) << describe(pair);
+  }
+  const ConvexDistance alone = measureAlone(pair);
+  if (answer.quality == Quality::exact && alone.quality == Quality::exact) {
+    ASSERT_NEAR(alone.measured.distance, found, found > 0.0 ? 1e-9 : 1e-7) << describe(pair);
   }
   if (answer.quality == Quality::exact) {
     worst.outside = std::max({worst.outside, proof.a_outside, proof.b_outside});

@@ -125,7 +125,8 @@ void check(const ConvexPair& placed, const GjkResult& overlap, Tally& tally) {
   ASSERT_NEAR(found.distance, static_cast<double>(mostSeparated(pair)), rounding);
   const Extended normal = found.normal_a_to_b.cast<long double>();
   ASSERT_NEAR(found.distance, static_cast<double>(gapAlong(normal, pair)), rounding);
-  ASSERT_NEAR(found.distance, -runEpa(pair, overlap.simplex, workspace).depth, rounding);
+  ASSERT_NEAR(found.distance, -runEpa(pair, overlap.simplex, roundingOf(pair), workspace).depth,
+              rounding);
   const double level = 1e-11 * pair.size;  // see centerOnPatch
   ASSERT_NEAR(outside(*pair.a.hull, found.point_on_a), 0.0, level);
   ASSERT_NEAR(outside(*pair.b.hull, inverse(pair.a_from_b) * found.point_on_b), 0.0, level);

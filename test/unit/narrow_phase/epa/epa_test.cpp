@@ -25,7 +25,7 @@ Penetration penetrationOf(const ConvexCore& a, const ConvexCore& b, const Vector
   const GjkResult overlap = runGjk(pair, ConvexWarmStart(), {});
   EXPECT_EQ(overlap.state, GjkResult::State::overlapping);
   const auto polytope = std::make_unique<ConvexWorkspace>();
-  return runEpa(pair, overlap.simplex, *polytope);
+  return runEpa(pair, overlap.simplex, roundingOf(pair), *polytope);
 }
 
 TEST(Epa, cubesThatOverlap_shortestWayOutAndItsPoints) {

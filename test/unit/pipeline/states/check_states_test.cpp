@@ -9,6 +9,7 @@
 
 #include "pipeline/states/states_block.h"
 #include "support/instruction_sets.h"
+#include "support/robots/ruled_setup.h"
 #include "support/robots/urdf_text.h"
 
 namespace collision_monitor::test {
@@ -186,6 +187,31 @@ TEST_P(CheckStatesTest, modelWithoutVariables_hasOneState) {
 
 INSTANTIATE_TEST_SUITE_P(EveryInstructionSet, CheckStatesTest, testing::ValuesIn(instructionSets()),
                          [](const auto& target) { return hwy::TargetName(target.param); });
+
+/// Two balls are in contact by a limit of their own; two others, which are not, are nearer.
+TEST(CheckStatesExactly, contactByALimitOfItsOwn_isNotAlwaysTheNearest) {
+  const auto ball = [](const std::string& name, const std::string& x) {
+    return linkXml(name, "<sphere radius='0.1'/>") +
+           slider("move_" + name, name, x + " 0 0", "1 0 0");
+  };
+  CycleSetup setup = buildSetup(
+      {describeText(robotXml(rail() + ball("a", "0") + ball("b", "0.23") + ball("c", "0.45")))},
+      textLoader({}), SetupOptions());
+  Limits limits = setup.limits;
+  limits.contact_distance = 0.05;
+  limits.warning_distance = 0.06;
+  PairRule rule = ruleForAll(limits, setup);
+  for (std::size_t i = 0; i < setup.model.links.size(); ++i) {
+    rule.a[i] = setup.model.links[i].name == "a";
+    rule.b[i] = setup.model.links[i].name == "b";
+  }
+  giveRules({rule}, setup);
+  StatesWork work = makeStatesWork(setup, standingAt(setup.model, {Pose{}}));
+  std::vector<StateCheck> checks;
+  checkStatesExactly(setup, {0, 0, 0}, StateQuestion::nearest, work, checks);
+  EXPECT_EQ(checks[0].verdict, Verdict::contact);
+  EXPECT_NEAR(checks[0].distance, 0.02, 1e-12) << "of b and c";
+}
 
 /// A can 0.4 m high and 0.1 m in radius, enclosed by more than itself, and a ball of 0.1 m above.
 TEST(CheckStatesExactly, geometriesDecideWhereEnclosingShapesAreNear) {
