@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros_edge/threads/woken_thread.h"
 
+#include <boost/interprocess/exceptions.hpp>
 #include <utility>
 
 namespace collision_monitor {
@@ -11,7 +12,11 @@ WokenThread::WokenThread(std::function<void()> work)
 
 WokenThread::~WokenThread() {
   is_ending_ = true;
-  wake();
+  try {
+    wake();
+  } catch (const boost::interprocess::interprocess_exception&) {
+    // More wakes wait than can be counted: the thread comes to see that it ends.
+  }
   thread_.join();
 }
 
