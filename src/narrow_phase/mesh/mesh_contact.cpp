@@ -11,8 +11,8 @@
 namespace collision_monitor {
 namespace {
 
-// True if two triangles are within a distance. Surfaces that are apart are mostly so along one
-// direction, so that of the last two triangles is tried first.
+// True if two triangles are within a distance. The direction along which the last two triangles
+// were apart is tried first, since it often parts their neighbors, too.
 bool areWithin(const MeshPair& pair, const TrianglePair& triangles, double distance,
                Eigen::Vector3d& direction) noexcept {
   const Triangle& of_a = pair.a.triangles()[triangles.a];

@@ -50,8 +50,8 @@ struct MeshDistance {
   TrianglePair nearest;     ///< kNone if none was found; a start for the next query
   std::uint32_t visits{0};  ///< nodes opened; other work is converted to nodes
   double shortfall{0.0};  ///< [m] how much farther the nearest triangles are, within the tolerance
-  /// [m] If apart: without meeting the surface, a mesh may travel this far, seen from the other,
-  /// before it can be inside an open one. Infinite for closed meshes.
+  /// [m] If apart: a mesh must travel at least this far, seen from the other, before one can be
+  /// inside of the other without having met its surface. Infinite if both are closed.
   double outside{std::numeric_limits<double>::infinity()};
   HeldProbe held{kNone};  ///< the probe that proves the overlap; none if triangles do
 };
@@ -123,8 +123,8 @@ struct MeshContact {
 struct MeshContactQuery {
   double distance{0.0};      ///< [m] surfaces this near are in contact; 0 or more, finite
   bool asks_outside{false};  ///< MeshContact::outside is wanted too
-  /// [m] Above 0: neither holds a point of the other, which is known before, and
-  /// MeshContact::outside is this.
+  /// [m] Above 0: it is known before that neither mesh holds a point of the other. The value
+  /// becomes MeshContact::outside.
   double outside{0.0};
   std::uint32_t visit_budget{std::numeric_limits<std::uint32_t>::max()};  ///< as MeshQueryLimits
   HeldProbe held{kNone};                                                  ///< as MeshQueryLimits

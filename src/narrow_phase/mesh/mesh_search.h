@@ -136,8 +136,7 @@ float asLimit(double squared_distance) noexcept;
 struct Holding {
   std::optional<Eigen::Vector3d> point;  ///< in both solids, in A's frame
   HeldProbe probe{kNone};                ///< which one it is
-  /// [m] If there is none: without meeting the surface, a mesh may travel this far, seen from the
-  /// other, before there can be one.
+  /// [m] If there is none: how far a mesh must travel, at least, as in MeshDistance::outside.
   double outside{std::numeric_limits<double>::infinity()};
   std::uint32_t visits{0};  ///< of open surfaces, converted to nodes
 };
@@ -149,8 +148,9 @@ struct HoldingQuery {
   KeptProbes* kept{nullptr};
 };
 
-/// For surfaces that do not cross. A closed mesh then holds a piece of the other as a whole or not
-/// at all. An open one is asked for all probes of the other whose kept answer no longer holds.
+/// Finds a point of one mesh inside the other. The surfaces must not cross. So a closed mesh holds
+/// each piece of the other as a whole or not at all, and one probe a piece is enough. An open mesh
+/// is asked for every probe of the other whose kept answer no longer holds.
 Holding pointHeld(const MeshPair& pair, MeshQueryMemory& memory,
                   const HoldingQuery& query) noexcept;
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Two boxes in lanes: distance_box_box.cpp for pairs in general position. Where axes are parallel,
-// it finds the points, and here only distances are sure.
+// Two boxes in lanes, as distance_box_box.cpp measures them. If axes are parallel, the lanes find
+// the distance but not always the points; distance_box_box.cpp then finds the points.
 #if defined(COLLISION_MONITOR_LANES_BOX_BOX_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COLLISION_MONITOR_LANES_BOX_BOX_INL_H_
 #undef COLLISION_MONITOR_LANES_BOX_BOX_INL_H_
@@ -16,10 +16,12 @@ HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
 namespace HWY_NAMESPACE {
 
-/// [m] Half of the error that the distance may have; the point may have the rest.
+/// [m] A distance counts as proven if the distance of the points and the gap along a plane differ
+/// by no more than this: half of the error that a distance may have.
 constexpr double kProofAllowance = 5e-13;
 
-/// [m] If a corner is farther away than the best gap and this together, no other point is as near.
+/// [m] A nearest corner that is farther away than the best gap by more than this is the only
+/// nearest point: if a face or an edge were as near, the gap along its axis would be the distance.
 constexpr double kAlone = 1e-9;
 
 /// Of eight corners, the one nearest to a box at the origin.
@@ -100,8 +102,8 @@ HWY_INLINE Truth isSkew(const BoxPairLanes& pair) {
   return hn::And(hn::And(isSkew(pair.b_axes.x), isSkew(pair.b_axes.y)), isSkew(pair.b_axes.z));
 }
 
-/// True if an axis of B is parallel to one of A that is perpendicular to a direction: then the
-/// nearest point is one of many.
+/// True if both boxes have an edge along one line, perpendicular to the direction: the nearest
+/// points are then not unique.
 HWY_INLINE Truth hasEdgeAcross(const BoxPairLanes& pair, const Vector3& direction) {
   const auto isSmall = [](Number x) HWY_ATTR { return hn::Le(hn::Abs(x), number(kParallel)); };
   Truth has_edge = hn::Not(everywhere());
@@ -131,7 +133,6 @@ HWY_INLINE UniqueAnswer answerAlong(const BoxPairLanes& pair, const BestAxis& be
   Truth is_unique = isSkew(pair);
   if (!hn::AllFalse(Lanes(), by_corner)) {
     const CoreAnswer corner = cornerDistance(pair);
-    // No face or edge reaches as far as a corner that is farther than the best gap.
     const Truth is_alone = hn::Gt(corner.distance, hn::Add(contact.gap, number(kAlone)));
     is_unique = hn::Or(
         is_unique, hn::AndNot(hasEdgeAcross(pair, corner.normal), hn::And(by_corner, is_alone)));

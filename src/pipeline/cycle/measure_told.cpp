@@ -109,8 +109,9 @@ class ToldPairs {
            verdictFor(farthest, kInfinity, limits, reported) != reported;
   }
 
-  /// Whether the pair may be on either side of a distance at which the speed scale stops it, or may
-  /// close where it is then remembered as stopped. Overlaps always are.
+  /// Whether the speed scale needs the exact distance: the bounds do not tell on which side of the
+  /// stop distance the pair is, or the pair is within it and moves. An overlap needs none: the
+  /// scale remembers it as stopped in any case.
   bool mayStop(LinkPairIndex links, const Limits& limits, const PairDistance& pair) const noexcept {
     const double stop = setup_.ahead.stop.stop_distance;
     const bool is_within = pair.measured.distance <= stop && pair.quality != Quality::estimate;

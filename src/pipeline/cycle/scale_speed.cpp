@@ -42,7 +42,7 @@ void askForMeasured(const StopRule& rule, const Limits& limits, const PairDistan
     // A near pair may rest because it was slowed down: the scale must not jump to full speed.
     demand.is_free = demand.is_free && gap > limits.warning_distance;
   }
-  // A depth that was kept does not say whether it grows; another pair stops the robot meanwhile.
+  // A kept depth does not say whether the overlap grows, so it counts as closing.
   const bool is_kept = distance.quality == Quality::estimate && distance.shortfall > 0.0;
   seen |= is_kept ? kCloses : 0;
 }

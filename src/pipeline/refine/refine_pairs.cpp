@@ -30,7 +30,7 @@ void raiseBound(double bound, PairDistance& distance) noexcept {
 void takeOver(const ElementDistance& found, double contact, PairDistance& distance) noexcept {
   const bool is_nearer = found.has_points ? !(found.measured.distance >= distance.measured.distance)
                                           : !(found.measured.distance > distance.measured.distance);
-  // The depth of overlapping shapes is that of one of several pairs: no bound of the elements.
+  // Shapes that overlap give the depth of one pair of shapes: it does not bound the elements'.
   const bool is_depth = found.has_points && distance.measured.distance < 0.0;
   if (found.quality == Quality::unknown ||
       (found.quality == Quality::lower_bound && is_nearer && !is_depth)) {

@@ -79,10 +79,10 @@ RefineStore makeRefineMemory(const CycleSetup& setup);
 /// A measured pair of elements keeps one entry in `distances`. Of two proven lower bounds the
 /// larger stays. Pairs that are farther than a refined pair of their links and in no contact are
 /// skipped.
-/// Unless `work.tells_all`, a pair with a mesh keeps bounds from its last measurement in place of a
-/// new one, as long as the lower is above 0, or the pair is still in contact and has moved by less
-/// than half of its depth; see PairDistance::shortfall. measureFully then measures those that
-/// matter. Error: as signedDistanceBetween and distanceBetween of meshes.
+/// Unless `work.tells_all`, a pair with a mesh need not be measured again. The bounds of its last
+/// measurement are kept in two cases: the lower one is above 0, or the pair is still in contact and
+/// has moved by less than half of its depth. PairDistance::shortfall tells so, and measureFully
+/// measures those that matter. Error: as signedDistanceBetween and distanceBetween of meshes.
 /// Depths of meshes are estimates (Quality::estimate), except of convex ones, which are measured by
 /// their hulls. Limits: the last measurement may exceed the budget by the work of two convex
 /// geometries.

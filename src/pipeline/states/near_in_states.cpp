@@ -23,8 +23,8 @@ struct NearSearch {
 
   Number reachOf(double contact_distance) const { return hn::Max(asked, number(contact_distance)); }
 
-  /// Where geometries give the answer, bodies only order the pairs and leave some out: a bound will
-  /// do.
+  /// A bound is enough if the geometries are measured afterwards: the bodies then only say which
+  /// pairs are near, and in what order to measure them.
   Number distanceOf(std::uint32_t id, const StatePair& pair, Number reach, Truth& counts) {
     const CycleSetup& setup = bodies.states.setup;
     return areMeasured(setup, setup.element_pair_of[id]) ? bodies.measure<true>(pair, reach, counts)

@@ -40,8 +40,8 @@ void visitAll(const CycleSetup& setup, const NearQuery& query, StatesWork& work,
   }
 }
 
-/// [m] How far the next query reaches; kNotAsked if none is needed. Bodies within reach may have
-/// geometries beyond it: if no pair was found, the next query reaches farther.
+/// [m] How far the next query reaches; kNotAsked if none is needed. If no pair of geometries was
+/// found within reach, the next query reaches farther.
 double nextReach(double reach, const StateCheck& check) noexcept {
   constexpr double kLeast = 0.01;
   constexpr double kMost = 1e4;

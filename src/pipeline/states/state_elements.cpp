@@ -79,7 +79,7 @@ StateCheck measure(const StateSearch& state, const ElementsInState& pair, double
   const ElementDistance found =
       measureElements(placed(state, elements.a), placed(state, elements.b), search);
   const bool is_nearer = !(found.measured.distance > pair.bound);
-  // The depth of overlapping shapes is that of one of several pairs: no bound of the elements.
+  // Shapes that overlap give the depth of one pair of shapes: it does not bound the elements'.
   const bool is_depth = found.has_points && pair.bound < 0.0;
   if (found.quality != Quality::unknown &&
       !(found.quality == Quality::lower_bound && is_nearer && !is_depth)) {
