@@ -141,6 +141,11 @@ const XMLElement* findShape(const XMLElement& geometry, const Place& place) {
     if (std::strchr(e->Name(), ':') != nullptr) {
       continue;
     }
+    if (std::strcmp(e->Name(), "origin") == 0) {
+      place.addError(e->GetLineNum(), "<origin> inside of <geometry>",
+                     "<origin> beside <geometry>, inside of <collision>");
+      return nullptr;
+    }
     if (shape != nullptr) {
       place.addError(e->GetLineNum(),
                      "<geometry> with a second shape <" + std::string(e->Name()) + ">",

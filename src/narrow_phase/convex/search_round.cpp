@@ -41,8 +41,8 @@ Eigen::Vector3d axisNear(const Eigen::Vector3d& direction, const ConvexCore& cor
 }
 
 // Measures cores that are level across `normal` and face each other.
-bool finishLevel(const PlacedPair& pair, const Eigen::Vector3d& normal,
-                 SignedDistance& measured) noexcept {
+bool finishAcross(const Eigen::Vector3d& normal, const PlacedPair& pair,
+                  SignedDistance& measured) noexcept {
   const SupportPlanes planes = supportPlanes(pair, normal);
   if (!planes.may_be_level || planes.gap <= touchingDistance(pair.size)) {
     return false;
@@ -53,6 +53,7 @@ bool finishLevel(const PlacedPair& pair, const Eigen::Vector3d& normal,
   return centerOnPatch(pair, planes, measured);
 }
 
+// Measures cores that are level across an axis of one of them, if it is near to a direction.
 bool finishLevel(ConvexPair& pair, const Eigen::Vector3d& direction,
                  SignedDistance& measured) noexcept {
   constexpr double kNear = 0.9;
@@ -62,7 +63,7 @@ bool finishLevel(ConvexPair& pair, const Eigen::Vector3d& direction,
   const PlacedPair placed = makePlacedPair(a, b);
   for (const PlacedCore& core : {a, b}) {
     const Eigen::Vector3d axis = axisNear(direction, core.core, core.world_from_core.rotation);
-    if (axis.dot(direction) > kNear && finishLevel(placed, axis, measured)) {
+    if (axis.dot(direction) > kNear && finishAcross(axis, placed, measured)) {
       return true;
     }
   }

@@ -118,6 +118,11 @@ TEST(UrdfFaults, geometryAndOrigins) {
        robotXml(linkXml("a", "<sphere radius='1'/>\n<box size='1 1 1'/>")),
        {"test.urdf line 3, link 'a', collision 1: <geometry> with a second shape <box>; accepted: "
         "one shape; further ones in <collision> elements of their own"}},
+      {"origin inside",
+       robotXml(linkXml("a", "<box size='1 1 1'/>\n<origin xyz='0 0 1'/>")),
+       {"test.urdf line 3, link 'a', collision 1: <origin> inside of <geometry>; accepted: "
+        "<origin> "
+        "beside <geometry>, inside of <collision>"}},
       {"no geometry",
        robotXml("<link name='a'><collision name='x'/></link>"),
        {"test.urdf line 2, link 'a', collision 'x': <collision> without <geometry>; accepted: one "
