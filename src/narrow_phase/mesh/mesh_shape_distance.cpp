@@ -173,7 +173,8 @@ MeshDistance measureCore(const PlacedMesh& a, const InflatedCore& b, const Pose&
   NearestSearch search;
   const double core_limit = std::max(limits.stop_beyond + b.radius, 0.0);
   search.best.squared_distance = core_limit * core_limit;
-  search.tolerance = limits.tolerance;
+  search.tolerance = std::max(limits.tolerance, pair.rounding);
+  search.rounding = pair.rounding;
   search.radius = b.radius;
   search.at_least = limits.at_least > 0.0 ? limits.at_least + b.radius : 0.0;
   search.best.on_b = anyPointOf(b.core);

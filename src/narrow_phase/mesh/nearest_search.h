@@ -17,6 +17,7 @@ struct NearestSearch {
   PointPair best;
   TrianglePair nearest;
   double tolerance{0.0};  ///< [m] what is nearer than the best by less than this is skipped
+  double rounding{0.0};   ///< [m] what is nearer by less than this is a tie; at most the tolerance
   double radius{0.0};     ///< [m] subtracted from distances; at most half of the rest is skipped
   double at_least{0.0};   ///< [m] what is known of the distance before
   std::uint32_t visits{0};
@@ -52,10 +53,11 @@ struct NearestSearch {
     return at_least > 0.0 && goal <= at_least ? 0.0 : goal * goal;
   }
 
-  /// [m^2] A lower bound of the distance.
+  /// [m^2] A lower bound of the distance: the best itself if it is one up to rounding.
   double squaredBound() const noexcept {
-    return std::min(best.squared_distance,
-                    std::max({squaredGoal(), squared_left, at_least * at_least}));
+    const double bound = std::max({squaredGoal(), squared_left, at_least * at_least});
+    return std::sqrt(best.squared_distance) - std::sqrt(bound) > rounding ? bound
+                                                                          : best.squared_distance;
   }
 
   /// [m^2] Triangles farther than this are not measured.
