@@ -13,7 +13,7 @@
 namespace collision_monitor {
 namespace {
 
-// The triangle of a mesh that was measured last. The next pair often has it, too.
+// The last triangle of a mesh that was measured. The next pair of triangles often holds it again.
 class LastTriangle {
  public:
   // @param corners called for another triangle than the last
@@ -161,7 +161,7 @@ NearestSearch searchWithin(const MeshQueryLimits& limits, double rounding) noexc
   return search;
 }
 
-// The answer of triangles within the tolerance of what is known before: nothing else is nearer.
+// The answer if the triangles measured are within the tolerance of what is known before.
 MeshDistance settledAnswer(const MeshPair& pair, NearestSearch& search,
                            const Pose& world_from_a) noexcept {
   MeshDistance answer;

@@ -49,7 +49,7 @@ struct MeshDistance {
   SignedDistance measured;  ///< NaN-free in every state
   TrianglePair nearest;     ///< kNone if none was found; a start for the next query
   std::uint32_t visits{0};  ///< nodes opened; other work is converted to nodes
-  double shortfall{0.0};  ///< [m] how much farther the nearest triangles are, within the tolerance
+  double shortfall{0.0};    ///< [m] how much less the distance is than that of the points found
   /// [m] If apart: a mesh must travel at least this far, seen from the other, before one can be
   /// inside of the other without having met its surface. Infinite if both are closed.
   double outside{std::numeric_limits<double>::infinity()};

@@ -107,8 +107,8 @@ struct CoreStart {
   MeshFront* front{nullptr};
 };
 
-// A core that traveled less than its distance to the surface is where it was. But its nearest point
-// is another one now, and may have passed through a hole of an open mesh.
+// A core that traveled less than its distance to the surface is still inside or still outside. But
+// its nearest point is another one now, and may have passed through a hole of an open mesh.
 CoreInMesh lookInside(const MeshAndCore& pair, const NearestSearch& search, double step,
                       MeshQueryMemory& memory) noexcept {
   CoreInMesh lies;
@@ -153,7 +153,7 @@ void keepLies(const NearestSearch& search, const CoreInMesh& lies) noexcept {
   }
 }
 
-// The answer of a triangle within the tolerance of what is known before: nothing else is nearer.
+// The answer if the triangle measured is within the tolerance of what is known before.
 MeshDistance settledAnswer(const MeshAndCore& pair, NearestSearch& search,
                            const Pose& world_from_core) noexcept {
   MeshDistance answer;

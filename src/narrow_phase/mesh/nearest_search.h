@@ -16,9 +16,9 @@ namespace collision_monitor {
 struct NearestSearch {
   PointPair best;
   TrianglePair nearest;
-  double tolerance{0.0};  ///< [m] what is nearer than the best by less than this is skipped
-  double rounding{0.0};   ///< [m] what is nearer by less than this is a tie; at most the tolerance
-  double radius{0.0};     ///< [m] subtracted from distances; at most half of the rest is skipped
+  double tolerance{0.0};  ///< [m] pairs that are nearer than the best by less may be skipped
+  double rounding{0.0};   ///< [m] a difference of distances this small means nothing
+  double radius{0.0};     ///< [m] by which one of the two is inflated
   double at_least{0.0};   ///< [m] what is known of the distance before
   std::uint32_t visits{0};
   double squared_open{std::numeric_limits<double>::infinity()};  ///< least bound left unopened
@@ -32,15 +32,16 @@ struct NearestSearch {
   /// False if the budget ended the search before it was certain.
   bool isComplete() const noexcept { return squaredGoal() <= squared_open; }
 
-  /// [m] What is this near below the best is skipped.
+  /// [m] Pairs that are nearer than the best by less than this are skipped: the tolerance, but at
+  /// most half of the distance of what is inflated.
   double skipped() const noexcept {
     const double distance = std::sqrt(best.squared_distance);
     return std::min(tolerance, 0.5 * std::max(0.0, distance - radius));
   }
 
-  /// Whether nothing is left to find: what is known before is within the tolerance of the best.
+  /// Whether the best is within the tolerance of what was known before.
   bool isSettled() const noexcept {
-    return tolerance > 0.0 && at_least > 0.0 && nearest.a != kNone &&
+    return at_least > 0.0 && nearest.a != kNone &&
            std::sqrt(best.squared_distance) - skipped() <= at_least;
   }
 
@@ -53,11 +54,12 @@ struct NearestSearch {
     return at_least > 0.0 && goal <= at_least ? 0.0 : goal * goal;
   }
 
-  /// [m^2] A lower bound of the distance: the best itself if it is one up to rounding.
+  /// [m^2] A lower bound of the distance. It is the best if the two differ by rounding alone.
   double squaredBound() const noexcept {
+    constexpr double kWithGoal = 2.0;  // the goal is one rounding below the best, and rounded
     const double bound = std::max({squaredGoal(), squared_left, at_least * at_least});
-    return std::sqrt(best.squared_distance) - std::sqrt(bound) > rounding ? bound
-                                                                          : best.squared_distance;
+    const double short_by = std::sqrt(best.squared_distance) - std::sqrt(bound);
+    return short_by > kWithGoal * rounding ? bound : best.squared_distance;
   }
 
   /// [m^2] Triangles farther than this are not measured.
@@ -79,14 +81,15 @@ struct NearestSearch {
 /// Measures two triangles by `measure(start, squared_cutoff)`. Keeps their points if nearer. With a
 /// front, the direction of the nearest points so far is tried before.
 /// @param bounds the node pair of the triangles, if the search has a front.
-/// @param gapAlong [m^2] how far a direction separates the triangles, as squaredGapAlong.
+/// @param gapAlong [m^2] how far a direction separates the triangles, as squaredGapAlong. At 0 they
+/// may overlap along it by any length, so no bound of the next query follows from it.
 template <class Measure, class GapAlong>
 void offer(const TrianglePair& triangles, const MeshQueryMemory::NodePair& bounds,
            NearestSearch& search, const Measure& measure, const GapAlong& gapAlong) noexcept {
   const bool is_nearest = bounds.a == search.bounds.a && bounds.b == search.bounds.b;
   if (search.towards != 0 && !is_nearest) {
     const double along = gapAlong(directionOf(search.towards));
-    if (along >= search.squaredGoal()) {
+    if (along > 0.0 && along >= search.squaredGoal()) {
       search.leave(bounds, along, search.towards);
       return;
     }
@@ -104,7 +107,7 @@ void offer(const TrianglePair& triangles, const MeshQueryMemory::NodePair& bound
   } else if (!is_nearest) {
     const std::uint32_t direction = search.front == nullptr ? 0 : packed(found.direction);
     const double along = direction == 0 ? 0.0 : gapAlong(directionOf(direction));
-    const bool suffices = along >= search.squaredGoal();
+    const bool suffices = along > 0.0 && along >= search.squaredGoal();
     search.leave(bounds, suffices ? along : found.squared_bound, suffices ? direction : 0);
   } else if (bounds.a == kNone) {
     search.squared_left = std::min(search.squared_left, found.squared_bound);

@@ -72,7 +72,7 @@ bool boundTriangles(const Query& query, float limit, FrontEntry& entry,
   if (entry.direction != 0) {
     const auto& [a, b] = entry.pair;
     const double squared = query.squaredGapAlong(directionOf(entry.direction), a, b);
-    if (!(squared < static_cast<double>(limit))) {
+    if (squared > 0.0 && !(squared < static_cast<double>(limit))) {
       entry.bound = std::sqrt(squared);
       return true;
     }

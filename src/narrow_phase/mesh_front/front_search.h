@@ -98,8 +98,8 @@ void shrinkFront(const Query& query, double cutoff, std::uint32_t visit_budget,
   }
 }
 
-/// Measures the nearest triangles of the last query. A search that has the front may put them into
-/// it, so it must follow before; a search without a front may come first.
+/// Measures the nearest triangles of the last query. A search that has the front may keep them
+/// there, so call `follow` first. A search without a front needs no `follow`.
 template <class Query>
 void measureLast(const Query& query, const MeshFront& front, NearestSearch& search) noexcept {
   if (front.nearest.a != kNone) {

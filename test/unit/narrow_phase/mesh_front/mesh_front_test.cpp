@@ -43,6 +43,20 @@ TEST_F(MeshFronts, cubeThatComesNearer_exactInEachStep) {
   }
 }
 
+TEST_F(MeshFronts, trianglesAlmostAsNearAsTheNearest_noShortfall) {
+  constexpr double kHigher = 4e-9;
+  const TriangleMesh one{{{-1, 0, 0}, {-0.5, 0, 0}, {-0.75, 0.5, 0}}, {{0, 1, 2}}};
+  const TriangleMesh other{{{1, 0, 0}, {0.5, 0, 0}, {0.75, 0.5, 0}}, {{0, 1, 2}}};
+  const MeshTree level(test::joined(one, other));
+  const MeshTree stepped(test::joined(one, moved(other, {0, 0, 0}, {0, 0, -kHigher})));
+  for (int step = 0; step < 50; ++step) {
+    const double height = 0.1 + 1e-9 * step;
+    const MeshDistance found = distance(stepped, level, at(0, 0, height));
+    EXPECT_NEAR(found.measured.distance, height, 1e-15) << step;
+    EXPECT_EQ(found.shortfall, 0.0) << step;
+  }
+}
+
 TEST_F(MeshFronts, smallSteps_lookAtAFractionOfWhatTheRootsHave) {
   std::uint32_t from_front = 0;
   std::uint32_t from_roots = 0;
