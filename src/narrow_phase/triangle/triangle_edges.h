@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <array>
 #include <optional>
 
 #include "collision_monitor/geometry/triangle.h"
@@ -28,7 +29,7 @@ inline Edge makeEdge(const Eigen::Vector3d& start, const Eigen::Vector3d& end) n
 /// A triangle with what its queries share.
 struct PreparedTriangle {
   Triangle corners;
-  Edge edges[3];  ///< edge i runs from corner i to corner i + 1
+  std::array<Edge, 3> edges;  ///< edge i runs from corner i to corner i + 1
   BasedTriangle based;
   Eigen::Vector3d normal;  ///< unit; 0 for a triangle too thin to have a plane
 
