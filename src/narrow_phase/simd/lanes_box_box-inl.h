@@ -102,8 +102,8 @@ HWY_INLINE Truth isSkew(const BoxPairLanes& pair) {
   return hn::And(hn::And(isSkew(pair.b_axes.x), isSkew(pair.b_axes.y)), isSkew(pair.b_axes.z));
 }
 
-/// True if both boxes have an edge along one line, perpendicular to the direction: the nearest
-/// points are then not unique.
+/// True if an edge of A is parallel to one of B, and both are perpendicular to the direction: the
+/// nearest points are then not unique.
 HWY_INLINE Truth hasEdgeAcross(const BoxPairLanes& pair, const Vector3& direction) {
   const auto isSmall = [](Number x) HWY_ATTR { return hn::Le(hn::Abs(x), number(kParallel)); };
   Truth has_edge = hn::Not(everywhere());
