@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <utility>
 
 #include "collision_monitor/geometry/ids.h"
 #include "listening_scene.h"
@@ -98,6 +99,40 @@ TEST(KeptPointsLaws, shallowOverlapThatEnds_endsWithAToleranceToo) {
   }
   EXPECT_GT(in_contact, 5);
   EXPECT_LT(in_contact, 20);
+}
+
+/// Two overlaps were stopped. The deeper one parts, the other rests, and its depth is kept.
+TEST(KeptPointsLaws, shallowOverlapThatRests_staysStopped) {
+  const TriangleMesh mesh = bumpyMesh(0.1, 16);
+  CycleSetup setup = geometrySetup({mesh, mesh, mesh, mesh}, {});
+  setup.refine.budget = kAmple;
+  setup.ahead.stop.release_time = 1e-9;  // no scale depends on earlier ones
+  setup.ahead.stop.creep_scale = 0.1;
+  Watches watches(setup);
+  LinkPoses poses = randomLinkPoses(setup, 0.0, 1);
+  const double apart[] = {0.0, 0.085, 0.0, 0.09};  // [m] along x; the second two are 1 m beside
+  for (std::size_t link = 0; link < 4; ++link) {
+    poses.world_from_link[link] = {Eigen::Matrix3d::Identity(),
+                                   {apart[link], link < 2 ? 0.0 : 1.0, 0.0}};
+    poses.velocities.known[link] = 1;
+  }
+  const auto move = [&](double of_deep, double of_shallow, int cycles) {  // [m/s] away
+    constexpr double kSeconds = 1e-9 * static_cast<double>(kPeriod);
+    for (int cycle = 0; cycle < cycles; ++cycle) {
+      poses.stamp_ns += kPeriod;
+      for (const auto& [link, speed] : {std::pair(1U, of_deep), std::pair(3U, of_shallow)}) {
+        poses.velocities.of_link[link].linear = {speed, 0.0, 0.0};
+        poses.world_from_link[link].translation.x() += kSeconds * speed;
+      }
+      watches.run(setup, poses);
+    }
+  };
+  move(-0.05, -0.05, 20);
+  EXPECT_EQ(watches.untold.memory.speed.scale, 0.0) << "both get deeper";
+  move(-0.05, 0.0, 3);
+  move(0.05, 0.0, 1);
+  EXPECT_EQ(watches.told.memory.speed.scale, 0.1) << "the deeper one parts";
+  EXPECT_EQ(watches.untold.memory.speed.scale, 0.1) << "the deeper one parts";
 }
 
 }  // namespace
