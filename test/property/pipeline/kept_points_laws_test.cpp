@@ -61,6 +61,50 @@ TEST(KeptPointsLaws, otherEndThatCloses_isTheSoonestAtOnce) {
   EXPECT_GT(soon, 100);
 }
 
+/// The bar rocks within the stop distance while a contact of two others holds the scale at 0. Then
+/// it rests and the contact parts: the bar is stopped if the end that is nearer had closed.
+TEST(KeptPointsLaws, barThatRests_isStoppedIfItsNearerEndClosed) {
+  constexpr double kSpeed = 2.0;  // [rad/s]
+  constexpr double kAngle = 0.05;
+  constexpr int kRound = 40;  // cycles, of which the last is at rest
+  const Box box{{0.05, 0.05, 0.05}};
+  CycleSetup setup = geometrySetup(
+      {boxMesh({0.3, 0.3, 0.01}), joined(boxMesh({0.14, 0.01, 0.01}), boxMesh({0.02, 0.02, 0.012})),
+       boxMesh({0.02, 0.02, 0.02}), box, box},
+      {});
+  setup.refine.budget = kAmple;
+  setup.limits.warning_distance = 0.3;
+  setup.limits.report_distance = 0.4;
+  setup.ahead.stop.stop_distance = 0.2;
+  setup.ahead.stop.release_time = 1e-9;  // no scale depends on earlier ones
+  Watches watches(setup);
+  LinkPoses poses = restingPoses(setup);
+  poses.world_from_link[1].translation = {0.0, 0.0, 0.12};
+  poses.world_from_link[2].translation = {0.25, 0.25, 0.07};
+  poses.world_from_link[3].translation = {0.0, 5.0, 0.0};
+  poses.world_from_link[4].translation = {0.09, 5.0, 0.0};
+  double phase = 0.0;
+  int stopped = 0;
+  int freed = 0;
+  for (int cycle = 1; cycle <= 100 * kRound; ++cycle) {
+    poses.stamp_ns += kPeriod;
+    const bool rests = cycle % kRound == 0;
+    phase += rests ? 0.0 : 1e-3 * kSpeed / kAngle;
+    const Eigen::Vector3d turning(0.0, rests ? 0.0 : kSpeed * std::cos(phase), 0.0);
+    poses.world_from_link[1].rotation =
+        Eigen::AngleAxisd(kAngle * std::sin(phase), Eigen::Vector3d::UnitY()).toRotationMatrix();
+    poses.velocities.of_link[1] = {-turning.cross(poses.world_from_link[1].translation), turning};
+    poses.velocities.of_link[4].linear.x() = rests ? 0.1 : -0.1;
+    watches.run(setup, poses);
+    const double told = watches.told.memory.speed.scale;
+    ASSERT_EQ(watches.untold.memory.speed.scale, told) << cycle;
+    stopped += rests && told == 0.0 ? 1 : 0;
+    freed += rests && told == 1.0 ? 1 : 0;
+  }
+  EXPECT_GT(stopped, 20) << "the nearer end had closed";
+  EXPECT_GT(freed, 20) << "the nearer end had parted";
+}
+
 /// The pose of an angle that has one corner at `corner`, its least in x.
 Pose poseWithCornerAt(const Eigen::Vector3d& corner) {
   Pose pose;
