@@ -177,7 +177,7 @@ void scaleSpeed(const CycleSetup& setup, std::int64_t stamp_ns, const PairDistan
     const unsigned char stops = seen & (is_seen ? kWasStopped : kWasStopped | kMayTouch);
     const bool rests = (seen & kRests) != 0 && stops != 0;
     const bool closes = (seen & kCloses) != 0;
-    if (rests) {  // an overlap too whose kept depth counts as closing
+    if (rests) {  // even if its kept depth counts as closing
       demands.addPair(i, {rule.creep_scale, false});
     }
     if (events.passed[i] != kNone) {

@@ -94,7 +94,7 @@ TEST(KeptPointsLaws, barThatRests_isStoppedIfItsNearerEndClosed) {
     poses.world_from_link[1].rotation =
         Eigen::AngleAxisd(kAngle * std::sin(phase), Eigen::Vector3d::UnitY()).toRotationMatrix();
     poses.velocities.of_link[1] = {-turning.cross(poses.world_from_link[1].translation), turning};
-    poses.velocities.of_link[4].linear.x() = rests ? 0.1 : -0.1;
+    poses.velocities.of_link[4].linear.x() = rests ? 0.1 : -0.1;  // it need not move
     watches.run(setup, poses);
     const double told = watches.told.memory.speed.scale;
     ASSERT_EQ(watches.untold.memory.speed.scale, told) << cycle;
