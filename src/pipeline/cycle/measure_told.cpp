@@ -11,6 +11,7 @@
 #include "motion/closing.h"
 #include "pipeline/cycle/judge_pairs.h"
 #include "pipeline/look_ahead/find_closings.h"
+#include "pipeline/refine/measure_fully.h"
 
 namespace collision_monitor {
 namespace {
@@ -45,8 +46,9 @@ bool isBetween(double threshold, double least, double most) noexcept {
   return least <= threshold && threshold < most;
 }
 
-/// Decides whose distance is told. The nearest points of a pair with a shortfall are not known. So
-/// it is taken to close as fast as its links can approach each other.
+/// Decides whose distance is told. The nearest points of a pair with a shortfall, and of elements
+/// that refinePairs skipped, are not known. So they are taken to close as fast as their links can
+/// approach each other.
 class ToldPairs {
  public:
   ToldPairs(const CycleSetup& setup, CycleBuffers& buffers) noexcept
@@ -54,8 +56,19 @@ class ToldPairs {
     std::fill(least_.begin(), least_.end(), LeastOfPairs());
   }
 
+  /// Whether only a bound is known of elements, since others of their links are nearer.
+  bool isSkipped(const PairDistance& pair) const noexcept {
+    const ElementPairIndex elements = setup_.element_pair_of[index(pair.pair)];
+    return pair.quality == Quality::lower_bound && !pair.is_refined && !(pair.shortfall > 0.0) &&
+           buffers_.refine.task_of[elements] != kNone &&
+           buffers_.memory.starved_cycles[elements] == 0;
+  }
+
   /// Notes the distance, time and scale that a pair is proven not to exceed.
   void add(const PairDistance& pair) noexcept {
+    if (isSkipped(pair)) {
+      return;
+    }
     const LinkPairIndex links = linksOf(pair);
     LeastOfPairs said;
     said.distance = farthest(pair);
@@ -71,6 +84,12 @@ class ToldPairs {
   }
 
   bool isTold(const PairDistance& pair) const noexcept {
+    return isSkipped(pair) ? maySlow(pair) : pair.shortfall > 0.0 && maySayLess(pair);
+  }
+
+ private:
+  /// Of a pair with a shortfall: whether it may say less than others, or its verdict may change.
+  bool maySayLess(const PairDistance& pair) const noexcept {
     const LinkPairIndex links = linksOf(pair);
     const Limits& limits = limitsOf(setup_, links);
     LeastOfPairs said = whatIsSaid(setup_, limits, pair.measured.distance, fastestOf(links));
@@ -78,10 +97,25 @@ class ToldPairs {
     return said.distance < buffers_.refine.told_below[links] ||
            isBelow(said, leastOf(setup_.checked[links].a)) ||
            isBelow(said, leastOf(setup_.checked[links].b)) ||
-           mayChange(links, said, farthest(pair)) || mayStop(links, limits, pair);
+           mayChange(links, said, farthest(pair)) || mayStop(links, limits, pair, farthest(pair));
   }
 
- private:
+  /// Of skipped elements: whether they may close so fast that it counts, though others of their
+  /// links are nearer.
+  bool maySlow(const PairDistance& pair) const noexcept {
+    const LinkPairIndex links = linksOf(pair);
+    const Limits& limits = limitsOf(setup_, links);
+    LeastOfPairs said = whatIsSaid(setup_, limits, pair.measured.distance, fastestOf(links));
+    said.distance = kInfinity;
+    const double nearest = buffers_.refine.nearest[links];
+    const Verdict reported = buffers_.memory.reported[links];
+    return isBelow(said, leastOf(setup_.checked[links].a)) ||
+           isBelow(said, leastOf(setup_.checked[links].b)) ||
+           verdictFor(nearest, said.time, limits, reported) !=
+               verdictFor(nearest, kInfinity, limits, reported) ||
+           mayStop(links, limits, pair, kInfinity);
+  }
+
   static double farthest(const PairDistance& pair) noexcept {
     return pair.measured.distance + pair.shortfall;
   }
@@ -112,13 +146,14 @@ class ToldPairs {
   /// Whether the speed scale needs the exact distance: the bounds do not tell on which side of the
   /// stop distance the pair is, or the pair is within it and moves. An overlap needs none: the
   /// scale remembers it as stopped in any case.
-  bool mayStop(LinkPairIndex links, const Limits& limits, const PairDistance& pair) const noexcept {
+  bool mayStop(LinkPairIndex links, const Limits& limits, const PairDistance& pair,
+               double farthest) const noexcept {
     const double stop = setup_.ahead.stop.stop_distance;
     const bool is_within = pair.measured.distance <= stop && pair.quality != Quality::estimate;
     return (is_within && !(fastestOf(links) <= setup_.ahead.stop.rest_speed)) ||
-           isBetween(stop, pair.measured.distance, farthest(pair)) ||
+           isBetween(stop, pair.measured.distance, farthest) ||
            (buffers_.memory.speed.stopped[links] != 0 &&
-            isBetween(stop + limits.hysteresis, pair.measured.distance, farthest(pair)));
+            isBetween(stop + limits.hysteresis, pair.measured.distance, farthest));
   }
 
   const CycleSetup& setup_;
@@ -129,16 +164,21 @@ class ToldPairs {
 }  // namespace
 
 void measureTold(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
-  if (buffers.refine.tells_all) {
-    return;
-  }
   std::vector<PairDistance>& pairs = buffers.distances.pairs;
   ToldPairs told(setup, buffers);
+  const auto isSkipped = [&](const PairDistance& pair) { return told.isSkipped(pair); };
+  if (buffers.refine.tells_all && std::none_of(pairs.begin(), pairs.end(), isSkipped)) {
+    return;
+  }
   for (const PairDistance& pair : pairs) {
     told.add(pair);
   }
   const auto measureIfTold = [&](std::uint32_t i) {
-    if (pairs[i].shortfall > 0.0 && told.isTold(pairs[i])) {
+    if (told.isSkipped(pairs[i]) && told.isTold(pairs[i])) {
+      raiseByRecall(setup, buffers.body_poses, buffers.memory, i, buffers.refine,
+                    buffers.distances);
+    }
+    if (told.isTold(pairs[i])) {
       measureFully(setup, buffers.body_poses, buffers.memory, i, buffers.refine, buffers.distances);
       findClosing(setup, poses, pairs[i]);
       told.add(pairs[i]);
@@ -152,6 +192,7 @@ void measureTold(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& 
   for (std::uint32_t i = 0; i < pairs.size(); ++i) {
     measureIfTold(i);
   }
+  dropOtherBodies(buffers.distances);
 }
 
 }  // namespace collision_monitor

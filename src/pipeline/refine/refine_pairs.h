@@ -89,10 +89,4 @@ RefineStore makeRefineMemory(const CycleSetup& setup);
 void refinePairs(const CycleSetup& setup, const BodyPoses& body_poses, PairMemory& memory,
                  RefineWork& work, PairDistances& distances) noexcept;
 
-/// Measures elements that refinePairs left with a shortfall, if some of the budget is left. If none
-/// is, they come first in the next cycle.
-/// @param place index of their entry in `distances`
-void measureFully(const CycleSetup& setup, const BodyPoses& body_poses, PairMemory& memory,
-                  std::uint32_t place, RefineWork& work, PairDistances& distances) noexcept;
-
 }  // namespace collision_monitor
