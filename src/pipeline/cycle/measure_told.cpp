@@ -66,7 +66,7 @@ class ToldPairs {
 
   /// Notes the distance, time and scale that a pair is proven not to exceed.
   void add(const PairDistance& pair) noexcept {
-    if (isSkipped(pair)) {
+    if (isSkipped(pair) || (buffers_.refine.tells_all && !isMoving(pair))) {
       return;
     }
     const LinkPairIndex links = linksOf(pair);
@@ -116,6 +116,11 @@ class ToldPairs {
            mayStop(links, limits, pair, kInfinity);
   }
 
+  /// Whether a pair has a time to contact or asks for a scale.
+  bool isMoving(const PairDistance& pair) const noexcept {
+    return !(pair.closing_speed <= setup_.ahead.stop.rest_speed) ||
+           !(pair.time_to_contact == kInfinity);
+  }
   static double farthest(const PairDistance& pair) noexcept {
     return pair.measured.distance + pair.shortfall;
   }
@@ -166,8 +171,9 @@ class ToldPairs {
 void measureTold(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
   std::vector<PairDistance>& pairs = buffers.distances.pairs;
   ToldPairs told(setup, buffers);
-  const auto isSkipped = [&](const PairDistance& pair) { return told.isSkipped(pair); };
-  if (buffers.refine.tells_all && std::none_of(pairs.begin(), pairs.end(), isSkipped)) {
+  // Nothing is noted yet: a skipped pair that asks for anything is told.
+  const auto asksAnything = [&](const PairDistance& pair) { return told.isTold(pair); };
+  if (buffers.refine.tells_all && std::none_of(pairs.begin(), pairs.end(), asksAnything)) {
     return;
   }
   for (const PairDistance& pair : pairs) {

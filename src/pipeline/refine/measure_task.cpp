@@ -62,15 +62,6 @@ void raiseBound(double bound, PairDistance& distance) noexcept {
   }
 }
 
-double farthestAsked(const Refinement& all, const RefineTask& task) noexcept {
-  const std::uint32_t link_pair = all.setup.element_pairs[task.pair].link_pair;
-  return std::min(all.work.nearest[link_pair], all.work.cutoff);
-}
-
-double cutoffFor(const Refinement& all, const RefineTask& task) noexcept {
-  return std::max(farthestAsked(all, task), clearBeyond(all, task));
-}
-
 bool isAtThreshold(const Refinement& all, const RefineTask& task,
                    const ElementDistance& found) noexcept {
   const Limits& limits = limitsOf(all, task);

@@ -2,15 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+
 #include "pipeline/refine/refinement.h"
 
 namespace collision_monitor {
 
 /// [m] Beyond this a pair is not the nearest of its links, or nobody asks for its distance.
-double farthestAsked(const Refinement& all, const RefineTask& task) noexcept;
+inline double farthestAsked(const Refinement& all, const RefineTask& task) noexcept {
+  const std::uint32_t link_pair = all.setup.element_pairs[task.pair].link_pair;
+  return std::min(all.work.nearest[link_pair], all.work.cutoff);
+}
 
 /// [m] Beyond this the distance of the pair is not asked for and the pair is in no contact.
-double cutoffFor(const Refinement& all, const RefineTask& task) noexcept;
+inline double cutoffFor(const Refinement& all, const RefineTask& task) noexcept {
+  return std::max(farthestAsked(all, task), clearBeyond(all, task));
+}
 
 /// Whether a threshold of verdicts lies within the tolerance of a distance.
 bool isAtThreshold(const Refinement& all, const RefineTask& task,
