@@ -46,9 +46,8 @@ bool isBetween(double threshold, double least, double most) noexcept {
   return least <= threshold && threshold < most;
 }
 
-/// Decides whose distance is told. The nearest points of a pair with a shortfall, and of elements
-/// that refinePairs skipped, are not known. So they are taken to close as fast as their links can
-/// approach each other.
+/// Decides whose distance is told. Of a pair with a shortfall, and of skipped elements, the nearest
+/// points are not known: such a pair is taken to close as fast as its links can.
 class ToldPairs {
  public:
   ToldPairs(const CycleSetup& setup, CycleBuffers& buffers) noexcept
@@ -56,7 +55,8 @@ class ToldPairs {
     std::fill(least_.begin(), least_.end(), LeastOfPairs());
   }
 
-  /// Whether only a bound is known of elements, since others of their links are nearer.
+  /// Whether only a lower bound is known of elements, and not because they wait for the budget:
+  /// mostly, others of their links are nearer.
   bool isSkipped(const PairDistance& pair) const noexcept {
     const ElementPairIndex elements = setup_.element_pair_of[index(pair.pair)];
     return pair.quality == Quality::lower_bound && !pair.is_refined && !(pair.shortfall > 0.0) &&
@@ -64,7 +64,8 @@ class ToldPairs {
            buffers_.memory.starved_cycles[elements] == 0;
   }
 
-  /// Notes the distance, time and scale that a pair is proven not to exceed.
+  /// Notes the distance, time and scale that a pair is proven not to exceed. While somebody
+  /// listens, a pair that does not close need not be noted.
   void add(const PairDistance& pair) noexcept {
     if (isSkipped(pair) || (buffers_.refine.tells_all && !isMoving(pair))) {
       return;
@@ -100,8 +101,8 @@ class ToldPairs {
            mayChange(links, said, farthest(pair)) || mayStop(links, limits, pair, farthest(pair));
   }
 
-  /// Of skipped elements: whether they may close so fast that it counts, though others of their
-  /// links are nearer.
+  /// Whether skipped elements may touch sooner, ask for a smaller scale or change a verdict, if
+  /// they close as fast as their links can.
   bool maySlow(const PairDistance& pair) const noexcept {
     const LinkPairIndex links = linksOf(pair);
     const Limits& limits = limitsOf(setup_, links);
@@ -166,31 +167,18 @@ class ToldPairs {
   std::vector<LeastOfPairs>& least_;
 };
 
-}  // namespace
-
-void measureTold(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
+/// Measures pairs with a shortfall.
+void measureNearest(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers,
+                    ToldPairs& told) noexcept {
   std::vector<PairDistance>& pairs = buffers.distances.pairs;
-  ToldPairs told(setup, buffers);
-  // Nothing is noted yet: a skipped pair that asks for anything is told.
-  const auto asksAnything = [&](const PairDistance& pair) { return told.isTold(pair); };
-  if (buffers.refine.tells_all && std::none_of(pairs.begin(), pairs.end(), asksAnything)) {
-    return;
-  }
-  for (const PairDistance& pair : pairs) {
-    told.add(pair);
-  }
   const auto measureIfTold = [&](std::uint32_t i) {
-    if (told.isSkipped(pairs[i]) && told.isTold(pairs[i])) {
-      raiseByRecall(setup, buffers.body_poses, buffers.memory, i, buffers.refine,
-                    buffers.distances);
-    }
-    if (told.isTold(pairs[i])) {
+    if (pairs[i].shortfall > 0.0 && told.isTold(pairs[i])) {
       measureFully(setup, buffers.body_poses, buffers.memory, i, buffers.refine, buffers.distances);
       findClosing(setup, poses, pairs[i]);
       told.add(pairs[i]);
     }
   };
-  // The deepest comes first, so that others need not be measured.
+  // The nearest comes first, so that others need not be measured.
   const auto nearest = std::min_element(pairs.begin(), pairs.end(), comesNearer);
   if (nearest != pairs.end()) {
     measureIfTold(static_cast<std::uint32_t>(nearest - pairs.begin()));
@@ -198,7 +186,51 @@ void measureTold(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& 
   for (std::uint32_t i = 0; i < pairs.size(); ++i) {
     measureIfTold(i);
   }
-  dropOtherBodies(buffers.distances);
+}
+
+/// Measures skipped elements at the entry of their nearest bodies, unless the bound that their last
+/// measurement leaves proves that they do not matter. Their other entries then do not count.
+void measureSkipped(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers,
+                    ToldPairs& told) noexcept {
+  PairDistances& distances = buffers.distances;
+  bool has_marked = false;
+  for (std::uint32_t i = 0; i < distances.pairs.size(); ++i) {
+    if (!told.isSkipped(distances.pairs[i]) || !told.isTold(distances.pairs[i])) {
+      continue;
+    }
+    const std::uint32_t place = placeOfNearest(setup, distances, i);
+    PairDistance& nearest = distances.pairs[place];
+    raiseByRecall(setup, buffers.body_poses, buffers.memory, place, buffers.refine, distances);
+    const bool is_known =
+        !told.isTold(nearest) ||
+        measureFully(setup, buffers.body_poses, buffers.memory, place, buffers.refine, distances);
+    findClosing(setup, poses, nearest);
+    if (is_known) {
+      told.add(nearest);
+      markOtherBodies(setup, place, distances);
+      has_marked = true;
+    }
+  }
+  if (has_marked) {
+    dropMarked(distances);
+  }
+}
+
+}  // namespace
+
+void measureTold(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
+  const std::vector<PairDistance>& pairs = buffers.distances.pairs;
+  ToldPairs told(setup, buffers);
+  // Before anything is noted, every skipped pair is told that could ask for anything.
+  const auto isTold = [&](const PairDistance& pair) { return told.isTold(pair); };
+  if (buffers.refine.tells_all && std::none_of(pairs.begin(), pairs.end(), isTold)) {
+    return;
+  }
+  for (const PairDistance& pair : pairs) {
+    told.add(pair);
+  }
+  measureNearest(setup, poses, buffers, told);
+  measureSkipped(setup, poses, buffers, told);
 }
 
 }  // namespace collision_monitor

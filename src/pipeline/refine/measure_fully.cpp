@@ -9,21 +9,7 @@
 #include "pipeline/refine/measure_task.h"
 
 namespace collision_monitor {
-namespace {
-
-/// Marks the entries of other bodies of these elements.
-void markOtherBodies(const Refinement& all, const RefineTask& task) noexcept {
-  std::vector<PairDistance>& pairs = all.distances.pairs;
-  for (std::uint32_t i = 0; i < pairs.size(); ++i) {
-    if (i != task.place && all.setup.element_pair_of[index(pairs[i].pair)] == task.pair) {
-      pairs[i].quality = Quality::unknown;
-    }
-  }
-}
-
-}  // namespace
-
-void measureFully(const CycleSetup& setup, const BodyPoses& body_poses, PairMemory& memory,
+bool measureFully(const CycleSetup& setup, const BodyPoses& body_poses, PairMemory& memory,
                   std::uint32_t place, RefineWork& work, PairDistances& distances) noexcept {
   constexpr double kPastBound = 1e-6;
   const Refinement all{setup, body_poses, memory, work, distances};
@@ -39,17 +25,15 @@ void measureFully(const CycleSetup& setup, const BodyPoses& body_poses, PairMemo
     const ElementDistance found = measureTask(all, task, goal, recallTask(all, task));
     if (found.has_points || found.is_complete) {
       task.place = place;
-      if (work.is_measured[task.pair] == 0) {
-        markOtherBodies(all, task);
-      } else {
-        --work.refined;  // `report` counts the pair once more
-      }
+      work.refined -= work.is_measured[task.pair];  // `report` counts the pair once more
       report(all, task, found);
       deepenOverlap(all, task, goal.budget);
-      return;
+      return true;
     }
   }
-  ++memory.starved_cycles[task.pair];  // its bounds stay
+  // Skipped elements wait for what the budget leaves, so that they starve no nearer ones.
+  memory.starved_cycles[task.pair] += was_skipped ? 0 : 1;
+  return false;
 }
 
 void raiseByRecall(const CycleSetup& setup, const BodyPoses& body_poses, PairMemory& memory,
@@ -63,7 +47,31 @@ void raiseByRecall(const CycleSetup& setup, const BodyPoses& body_poses, PairMem
   }
 }
 
-void dropOtherBodies(PairDistances& distances) noexcept {
+std::uint32_t placeOfNearest(const CycleSetup& setup, const PairDistances& distances,
+                             std::uint32_t place) noexcept {
+  const ElementPairIndex elements = setup.element_pair_of[index(distances.pairs[place].pair)];
+  std::uint32_t nearest = place;
+  for (std::uint32_t i = 0; i < distances.pairs.size(); ++i) {
+    const PairDistance& pair = distances.pairs[i];
+    if (setup.element_pair_of[index(pair.pair)] == elements && pair.quality != Quality::unknown &&
+        comesNearer(pair, distances.pairs[nearest])) {
+      nearest = i;
+    }
+  }
+  return nearest;
+}
+
+void markOtherBodies(const CycleSetup& setup, std::uint32_t place,
+                     PairDistances& distances) noexcept {
+  const ElementPairIndex elements = setup.element_pair_of[index(distances.pairs[place].pair)];
+  for (std::uint32_t i = 0; i < distances.pairs.size(); ++i) {
+    if (i != place && setup.element_pair_of[index(distances.pairs[i].pair)] == elements) {
+      distances.pairs[i].quality = Quality::unknown;
+    }
+  }
+}
+
+void dropMarked(PairDistances& distances) noexcept {
   const auto isMarked = [](const PairDistance& pair) { return pair.quality == Quality::unknown; };
   std::vector<PairDistance>& pairs = distances.pairs;
   pairs.erase(std::remove_if(pairs.begin(), pairs.end(), isMarked), pairs.end());
