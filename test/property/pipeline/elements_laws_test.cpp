@@ -47,15 +47,22 @@ Links withAContact() {
   return links;
 }
 
-/// @param contact_time [s] 0: no verdict depends on times
-CycleSetup makeSetup(const Links& links, double contact_time) {
+/// What links are set up with.
+struct Conditions {
+  double contact_time{0.2};     ///< [s] 0: no verdict depends on times
+  std::uint32_t max_shapes{3};  ///< of a link
+  RefineGeometry geometry{RefineGeometry::mesh};
+};
+
+CycleSetup makeSetup(const Links& links, const Conditions& conditions) {
   SetupOptions options;
-  options.default_limits.max_shapes = 3;
+  options.default_limits.max_shapes = conditions.max_shapes;
+  options.refine.geometry = conditions.geometry;
   CycleSetup setup = linkSetup(links, options);
   setup.refine.budget = kAmple;
   setup.refine.distance = 0.3;
-  setup.limits.contact_time = contact_time;
-  setup.limits.warning_time = 2.0 * contact_time;
+  setup.limits.contact_time = conditions.contact_time;
+  setup.limits.warning_time = 2.0 * conditions.contact_time;
   setup.limits.warning_distance = setup.limits.report_distance = 0.2;
   setup.limits.hysteresis = setup.limits.time_hysteresis = 0.0;
   setup.ahead.stop.release_time = 1e-9;  // no scale depends on earlier ones,
@@ -211,9 +218,9 @@ void expectOneEntry(const CycleSetup& setup, const PairDistances& distances) {
   ASSERT_EQ(entries, refined.size());
 }
 
-void expectAsTheElements(const Links& links, double contact_time, bool tells_all) {
-  const CycleSetup setup = makeSetup(links, contact_time);
-  const CycleSetup split_setup = makeSetup(split(links), contact_time);
+void expectAsTheElements(const Links& links, const Conditions& conditions, bool tells_all) {
+  const CycleSetup setup = makeSetup(links, conditions);
+  const CycleSetup split_setup = makeSetup(split(links), conditions);
   CycleBuffers buffers = makeBuffers(setup, BroadPhaseKind::brute_force);
   CycleBuffers split_buffers = makeBuffers(split_setup, BroadPhaseKind::brute_force);
   buffers.refine.tells_all = tells_all;
@@ -241,20 +248,27 @@ void expectAsTheElements(const Links& links, double contact_time, bool tells_all
   EXPECT_GT(stopped, 1000);
 }
 
+void expectAsTheElements(const Links& links, const Conditions& conditions) {
+  for (const bool tells_all : {true, false}) {
+    SCOPED_TRACE(tells_all ? "somebody listens" : "nobody listens");
+    expectAsTheElements(links, conditions, tells_all);
+  }
+}
+
 TEST(ElementsLaws, scaleTimeAndVerdicts_areThoseOfTheElements) {
-  expectAsTheElements(linksOfTwoElements(), 0.2, true);
+  expectAsTheElements(linksOfTwoElements(), {});
 }
 
-TEST(ElementsLaws, whileNobodyListens_areThoseOfTheElements) {
-  expectAsTheElements(linksOfTwoElements(), 0.2, false);
+TEST(ElementsLaws, besideAContact_scaleIsThatOfTheElements) {
+  expectAsTheElements(withAContact(), {0.0});
 }
 
-TEST(ElementsLaws, besideAContact_areThoseOfTheElements) {
-  expectAsTheElements(withAContact(), 0.0, true);
+TEST(ElementsLaws, withOneShapeForAnElement_scaleTimeAndVerdictsAreThoseOfTheElements) {
+  expectAsTheElements(linksOfTwoElements(), {0.2, 2});
 }
 
-TEST(ElementsLaws, besideAContactWhileNobodyListens_areThoseOfTheElements) {
-  expectAsTheElements(withAContact(), 0.0, false);
+TEST(ElementsLaws, ofHulls_scaleTimeAndVerdictsAreThoseOfTheElements) {
+  expectAsTheElements(linksOfTwoElements(), {0.2, 4, RefineGeometry::hull});
 }
 
 }  // namespace
