@@ -168,8 +168,8 @@ class ToldPairs {
 };
 
 /// Measures pairs with a shortfall.
-void measureNearest(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers,
-                    ToldPairs& told) noexcept {
+void measureShortfalls(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers,
+                       ToldPairs& told) noexcept {
   std::vector<PairDistance>& pairs = buffers.distances.pairs;
   const auto measureIfTold = [&](std::uint32_t i) {
     if (pairs[i].shortfall > 0.0 && told.isTold(pairs[i])) {
@@ -221,7 +221,7 @@ void measureSkipped(const CycleSetup& setup, const LinkPoses& poses, CycleBuffer
 void measureTold(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
   const std::vector<PairDistance>& pairs = buffers.distances.pairs;
   ToldPairs told(setup, buffers);
-  // Before anything is noted, every skipped pair is told that could ask for anything.
+  // Nothing is noted yet, so isTold is true of every skipped pair that could ask for anything.
   const auto isTold = [&](const PairDistance& pair) { return told.isTold(pair); };
   if (buffers.refine.tells_all && std::none_of(pairs.begin(), pairs.end(), isTold)) {
     return;
@@ -229,7 +229,10 @@ void measureTold(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& 
   for (const PairDistance& pair : pairs) {
     told.add(pair);
   }
-  measureNearest(setup, poses, buffers, told);
+  // While somebody listens, refinePairs has the whole budget for them.
+  if (!buffers.refine.tells_all) {
+    measureShortfalls(setup, poses, buffers, told);
+  }
   measureSkipped(setup, poses, buffers, told);
 }
 

@@ -9,6 +9,7 @@
 #include "pipeline/refine/measure_task.h"
 
 namespace collision_monitor {
+
 bool measureFully(const CycleSetup& setup, const BodyPoses& body_poses, PairMemory& memory,
                   std::uint32_t place, RefineWork& work, PairDistances& distances) noexcept {
   constexpr double kPastBound = 1e-6;
