@@ -91,13 +91,13 @@ class Stages {
   void measure(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) {
     findActivationDistances(setup, poses, buffers.robots, buffers.sweep, buffers.activation);
     end("4 findActivationDistances");
-    cullCandidates(setup, buffers);
+    cullCandidates(setup, poses, buffers);
     end("5 cullCandidates");
     measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
-    keepNear(setup, buffers);
+    keepNear(setup, poses, buffers);
     end("7 measurePairs, keepNear");
     refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
-    measureDeferred(setup, buffers);
+    measureDeferred(setup, poses, buffers);
     end("8 refinePairs, measureDeferred");
     if (buffers.passed_over == 0) {
       measureClosest(setup, poses, leastActivationDistanceOf(setup), buffers);

@@ -23,15 +23,15 @@ bool ballsPart(const Ball& a, const Ball& b, double distance) noexcept {
   return (reach < 0.0) | (squared_distance > reach * reach * (1.0 + kRounding));
 }
 
-bool orientedBoxesPart(const CycleSetup& setup, const BodyPoses& poses, const BodyPair& pair,
-                       double distance) noexcept {
+/// [m] A lower bound of the distance, by oriented boxes.
+double gapOfBoxes(const CycleSetup& setup, const BodyPoses& poses, const BodyPair& pair) noexcept {
   const std::size_t a = index(pair.a);
   const std::size_t b = index(pair.b);
   const BoxPair boxes = makeBoxPair(setup.cores[a].half_extents, poses.world_from_body[a],
                                     setup.cores[b].half_extents, poses.world_from_body[b]);
   const double gap =
       separationsOfBoxes(boxes).largest - setup.cores[a].radius - setup.cores[b].radius;
-  return gap > distance + toleranceOf(boxes);
+  return gap - toleranceOf(boxes);
 }
 
 /// Has no branch of its own, since which candidates are far is hard to predict.
@@ -45,44 +45,41 @@ void keepUnless(const IsFar& is_far, std::vector<PairId>& candidates) noexcept {
   candidates.resize(kept);
 }
 
-/// Looks up what decides for all bodies of two elements.
-void lookUp(const NearBodies& near, const RefineWork& refined, ListedElements& elements) noexcept {
-  const ElementsPlace& place = elements.place;
+/// Looks up what decides for all bodies of a group.
+void lookUp(const NearBodies& near, const RefineWork& refined, ListedGroup& group) noexcept {
+  const ElementsPlace& place = group.place;
   const PairReach& reach = near.reaches.of_limits[place.limits];
-  const std::vector<BodyTravel>& travels = near.cache.travels;
-  const double step = travels[index(place.a)].of_link + travels[index(place.b)].of_link;
-  elements.by_links = near.byLinks(place);
-  elements.at_rest = reach.near;
-  elements.stop = reach.stop;
-  elements.nearest = near.cache.nearest[place.elements] + step;
-  elements.told = std::min(near.heardOf(place), elements.nearest);
-  elements.is_measured = refined.is_measured[place.elements] != 0;
-  elements.least_gap = kInfinity;
-  elements.has_near = false;
+  const double step = stepOfLinks(near.cache, place);
+  group.by_links = near.byLinks(place);
+  group.at_rest = reach.near;
+  group.stop = reach.stop;
+  group.nearest = group.is_of_lone ? kInfinity : near.cache.nearest[place.elements] + step;
+  group.told = std::min(near.heardOf(place), group.nearest);
+  group.is_measured = refined.is_measured[place.elements] != 0;
+  group.least_gap = kInfinity;
+  group.has_near = false;
 }
 
-/// Passes over elements that are far or settled with all of their bodies.
-void passElements(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
+/// Passes over groups that are far or settled with all of their bodies.
+void passGroups(const NearBodies& near, SettledPairs& settled, CycleBuffers& buffers) noexcept {
   DistanceCache& cache = buffers.memory.distance_cache;
-  const NearBodies near = nearBodies(setup, buffers);
-  SettledPairs settled(setup, near, buffers);
-  for (ListedElements& elements : cache.listed_elements) {
-    const ElementsPlace& place = elements.place;
-    elements.travel = travelOfLinks(cache, place);
+  for (ListedGroup& group : cache.groups) {
+    const ElementsPlace& place = group.place;
+    group.travel = travelOfLinks(cache, place);
     const bool is_far =
-        elements.gap - elements.travel > std::max(near.byLinks(place), near.heardOf(place));
-    elements.is_passed = is_far || settled.passOver(place);
-    if (!elements.is_passed) {
-      lookUp(near, buffers.refine, elements);
+        group.gap - group.travel > std::max(near.byLinks(place), near.heardOf(place));
+    group.is_passed = is_far || (!group.is_of_lone && settled.passOver(place));
+    if (!group.is_passed) {
+      lookUp(near, buffers.refine, group);
     }
   }
 }
 
-/// Keeps how far elements are whose bodies are all far.
+/// Keeps how far groups are whose bodies are all far.
 void keepGaps(DistanceCache& cache) noexcept {
-  for (ListedElements& elements : cache.listed_elements) {
-    if (!elements.is_passed && !elements.has_near) {
-      elements.gap = elements.least_gap + elements.travel;
+  for (ListedGroup& group : cache.groups) {
+    if (!group.is_passed && !group.has_near) {
+      group.gap = group.least_gap + group.travel;
     }
   }
 }
@@ -90,17 +87,16 @@ void keepGaps(DistanceCache& cache) noexcept {
 /// Takes from the list what the distance cache does not prove to be far. Of elements refined in the
 /// last cycle, which are most likely refined again, it defers all bodies but the nearest. Has no
 /// branch for a body, as keepUnless.
-void cullByCache(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
+void cullByCache(const NearBodies& near, SettledPairs& settled, CycleBuffers& buffers) noexcept {
   constexpr double kRounding = 1e-9;  // of the cached distance and of a new one
   DistanceCache& cache = buffers.memory.distance_cache;
-  const NearBodies near = nearBodies(setup, buffers);
-  passElements(setup, buffers);
+  passGroups(near, settled, buffers);
   buffers.candidates.resize(cache.listed.size());
   buffers.deferred.resize(cache.listed.size());
   std::size_t kept = 0;
   std::size_t deferred = 0;
   for (const ListedPair& pair : cache.listed) {
-    ListedElements& of = cache.listed_elements[pair.place];
+    ListedGroup& of = cache.groups[pair.place];
     if (of.is_passed) {
       continue;
     }
@@ -121,49 +117,130 @@ void cullByCache(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
   keepGaps(cache);
 }
 
-void cullBySpheres(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
-  const std::vector<Ball>& balls = buffers.body_poses.balls;
-  const NearBodies near = nearBodies(setup, buffers);
+/// [m] Improves the cached lower bound of a distance by the bodies' spheres. @return the bound
+double improveBySpheres(const NearBodies& near, const ElementsPlace& pair,
+                        double& cached) noexcept {
+  constexpr double kRounding = 1e-9;  // of both distances and of a new one
+  const std::vector<BodyTravel>& travels = near.cache.travels;
+  const Ball& a = near.balls[index(pair.a)];
+  const Ball& b = near.balls[index(pair.b)];
+  const double travel = travels[index(pair.a)].all + travels[index(pair.b)].all;
+  cached = std::max(cached, (b.center - a.center).norm() - a.radius - b.radius + travel);
+  return cached - travel - kRounding;
+}
+
+/// Decides for lone bodies. What holds for all bodies of two links is looked up once in a row.
+class LoneBodies {
+ public:
+  LoneBodies(const NearBodies& near, CycleBuffers& buffers) noexcept
+      : near_(near),
+        distances_(buffers.memory.distance_cache.distances),
+        deferred_(buffers.deferred) {}
+
+  /// By spheres, and by how fast bodies close. Defers those that matter only if they are the
+  /// nearest of their links, where others were nearer. @pre cullByCache left them
+  bool isFar(PairId id, const ElementsPlace& place) noexcept {
+    if (place.link_pair != links_) {
+      lookUp(place);
+    }
+    const double gap = improveBySpheres(near_, place, distances_[index(id)]);
+    const bool is_heard = !(gap > heard_);
+    const bool is_far = gap > at_rest_ && ((is_heard && gap > near_.nearOf(place)) ||
+                                           gap > near_.byClosing(place, closing_));
+    if (is_far && is_heard) {
+      deferred_.push_back(id);
+    }
+    return is_far;
+  }
+
+ private:
+  void lookUp(const ElementsPlace& place) noexcept {
+    links_ = place.link_pair;
+    closing_ = near_.closingOf(place);
+    heard_ = near_.atRest(place, kInfinity);
+    at_rest_ = near_.atRest(place, near_.nearestOfLone(place) + stepOfLinks(near_.cache, place));
+  }
+
+  const NearBodies& near_;
+  std::vector<double>& distances_;
+  std::vector<PairId>& deferred_;
+  LinkPairIndex links_{kNone};
+  NearBodies::Closing closing_{};
+  double heard_{0.0};    ///< [m] up to this, bodies matter to somebody who listens
+  double at_rest_{0.0};  ///< [m] as NearBodies::atRest
+};
+
+void cullBySpheres(const CycleSetup& setup, const NearBodies& near,
+                   CycleBuffers& buffers) noexcept {
+  LoneBodies lone(near, buffers);
   const auto isFar = [&](PairId id) {
     const BodyPair& pair = setup.table[id];
-    const Ball& a = balls[index(pair.a)];
-    const Ball& b = balls[index(pair.b)];
-    if (!ballsPart(a, b, near.limitOf(near.placeOf(id), kInfinity))) {
+    const ElementsPlace place = near.placeOf(id);
+    if (near.passesLone(place)) {
+      return lone.isFar(id, place);
+    }
+    const double limit = std::max(near.nearOf(place), near.atRest(place, kInfinity));
+    if (!ballsPart(near.balls[index(pair.a)], near.balls[index(pair.b)], limit)) {
       return false;
     }
-    const double gap = (b.center - a.center).norm() - a.radius - b.radius;
-    rememberDistance(gap, pair, id, buffers.memory.distance_cache);
+    improveBySpheres(near, place, buffers.memory.distance_cache.distances[index(id)]);
     return true;
   };
   keepUnless(isFar, buffers.candidates);
 }
 
-void cullByBoxes(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
-  const NearBodies near = nearBodies(setup, buffers);
+void cullByBoxes(const CycleSetup& setup, const NearBodies& near, CycleBuffers& buffers) noexcept {
   const auto isFar = [&](PairId id) {
-    return orientedBoxesPart(setup, buffers.body_poses, setup.table[id],
-                             near.limitOf(near.placeOf(id), kInfinity));
+    const double gap = gapOfBoxes(setup, buffers.body_poses, setup.table[id]);
+    return near.isFar(near.placeOf(id), kInfinity, gap);
   };
   keepUnless(isFar, buffers.candidates);
 }
 
+/// Decides whether lone bodies are passed over by how they close. Then it is not seen whether all
+/// of them part or rest, as a scale that jumps to 1 takes.
+void passLone(CycleBuffers& buffers) noexcept {
+  const std::vector<unsigned char>& may_be_free = buffers.robots.may_be_free;
+  buffers.robots.passes_lone =
+      buffers.memory.distance_cache.has_lone &&
+      std::find(may_be_free.begin(), may_be_free.end(), 1) == may_be_free.end();
+}
+
+/// Passes over lone bodies of elements that are settled.
+void cullSettled(const CycleSetup& setup, const NearBodies& near, SettledPairs& settled,
+                 std::vector<PairId>& candidates) noexcept {
+  const auto isSettled = [&](PairId id) {
+    return areLone(near.cache, setup.table[id]) && settled.passOver(near.placeOf(id));
+  };
+  keepUnless(isSettled, candidates);
+}
+
 }  // namespace
 
-void cullCandidates(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
+void cullCandidates(const CycleSetup& setup, const LinkPoses& poses,
+                    CycleBuffers& buffers) noexcept {
   CycleCounters& counters = buffers.counters;
+  passLone(buffers);
+  const NearBodies near = nearBodies(setup, poses, buffers);
+  SettledPairs settled(setup, near, buffers);
   std::size_t left = counters.candidates;
   const auto countCulled = [&] {
     const std::size_t before = std::exchange(left, buffers.candidates.size());
     return before - left;
   };
-  cullByCache(setup, buffers);
+  cullByCache(near, settled, buffers);
   counters.culled_by_cache = countCulled();
-  cullBySpheres(setup, buffers);
-  counters.culled_by_spheres = countCulled();
+  const std::size_t deferred = buffers.deferred.size();
+  cullBySpheres(setup, near, buffers);
+  const std::size_t deferred_more = buffers.deferred.size() - deferred;
+  counters.culled_by_cache += deferred_more;
+  counters.culled_by_spheres = countCulled() - deferred_more;
   if (buffers.culls_by_boxes) {
-    cullByBoxes(setup, buffers);
+    cullByBoxes(setup, near, buffers);
   }
   counters.culled_by_boxes = countCulled();
+  cullSettled(setup, near, settled, buffers.candidates);
+  counters.culled_by_cache += countCulled();
   constexpr std::size_t kPassed = 8;  // candidates are passed over in the time of a measurement
   buffers.refine.near_bodies = buffers.candidates.size() + counters.candidates / kPassed;
 }

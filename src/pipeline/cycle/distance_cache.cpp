@@ -83,6 +83,23 @@ std::size_t accumulateOfLink(const CycleSetup& setup, double turn, std::size_t f
   return last;
 }
 
+std::vector<unsigned char> findLone(const CycleSetup& setup) {
+  std::vector<std::uint32_t> of_element(setup.elements.size(), 0);
+  std::vector<std::uint32_t> of_link(setup.model.links.size(), 0);
+  for (const Body& body : setup.bodies) {
+    ++of_element[index(body.element)];
+    ++of_link[index(body.link)];
+  }
+  std::vector<unsigned char> lone;
+  lone.reserve(setup.bodies.size());
+  for (const Body& body : setup.bodies) {
+    const int several = of_link[index(body.link)] > 1 ? kOfSeveral : 0;
+    lone.push_back(
+        static_cast<unsigned char>(of_element[index(body.element)] == 1 ? kLone | several : 0));
+  }
+  return lone;
+}
+
 }  // namespace
 
 void forgetNearest(DistanceCache& cache) noexcept {
@@ -92,12 +109,20 @@ void forgetNearest(DistanceCache& cache) noexcept {
   cache.measured_pairs.clear();
 }
 
+void forgetNearestOfLinks(DistanceCache& cache) noexcept {
+  for (const std::uint32_t pair : cache.measured_links) {
+    cache.nearest_of_links[pair] = kInfinity;
+  }
+  cache.measured_links.clear();
+}
+
 void forgetDistances(DistanceCache& cache) noexcept {
   std::fill(cache.distances.begin(), cache.distances.end(), -kInfinity);
   std::fill(cache.elements.begin(), cache.elements.end(), -kInfinity);
   std::fill(cache.links.begin(), cache.links.end(), kInfinity);
   cache.is_listed = false;
   forgetNearest(cache);
+  forgetNearestOfLinks(cache);
 }
 
 DistanceCache makeDistanceCache(const CycleSetup& setup) {
@@ -108,9 +133,15 @@ DistanceCache makeDistanceCache(const CycleSetup& setup) {
   cache.elements.resize(setup.element_pairs.size(), -kInfinity);
   cache.links.resize(setup.checked.size(), kInfinity);
   cache.measured_pairs.reserve(setup.element_pairs.size());
+  cache.nearest_of_links.resize(setup.checked.size(), kInfinity);
+  cache.measured_links.reserve(setup.checked.size());
   cache.listed.reserve(setup.table.size());
-  cache.listed_elements.reserve(setup.element_pairs.size());
-  cache.listed_of.resize(setup.element_pairs.size(), kNone);
+  cache.groups.reserve(setup.element_pairs.size());
+  cache.group_of.resize(setup.element_pairs.size(), kNone);
+  cache.group_of_lone.resize(setup.checked.size(), kNone);
+  cache.lone = findLone(setup);
+  cache.has_lone =
+      std::find(cache.lone.begin(), cache.lone.end(), kLone | kOfSeveral) != cache.lone.end();
   cache.listed_moved.reserve(setup.carried.size() + 1);
   return cache;
 }

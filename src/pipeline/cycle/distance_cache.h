@@ -13,6 +13,9 @@ DistanceCache makeDistanceCache(const CycleSetup& setup);
 /// Resets `nearest` for the distances of this cycle.
 void forgetNearest(DistanceCache& cache) noexcept;
 
+/// Resets `nearest_of_links`.
+void forgetNearestOfLinks(DistanceCache& cache) noexcept;
+
 /// Forgets all distances; travel stays.
 void forgetDistances(DistanceCache& cache) noexcept;
 

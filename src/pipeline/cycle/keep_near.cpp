@@ -13,7 +13,8 @@ namespace collision_monitor {
 namespace {
 
 /// For distances from index `first` on.
-void keepNearFrom(const CycleSetup& setup, std::size_t first, CycleBuffers& buffers) noexcept {
+void keepNearFrom(const CycleSetup& setup, const LinkPoses& poses, std::size_t first,
+                  CycleBuffers& buffers) noexcept {
   DistanceCache& cache = buffers.memory.distance_cache;
   auto& measured = buffers.distances.pairs;
   const auto begin = measured.begin() + static_cast<std::ptrdiff_t>(first);
@@ -28,37 +29,100 @@ void keepNearFrom(const CycleSetup& setup, std::size_t first, CycleBuffers& buff
       cache.nearest[pair] = value;
     }
   });
-  const NearBodies near = nearBodies(setup, buffers);
+  const NearBodies near = nearBodies(setup, poses, buffers);
   const auto is_far = [&](const PairDistance& distance) {
     const ElementsPlace pair = near.placeOf(distance.pair);
-    return distance.measured.distance > near.limitOf(pair, cache.nearest[pair.elements]);
+    return near.isFar(pair, cache.nearest[pair.elements], distance.measured.distance);
   };
   measured.erase(std::remove_if(begin, measured.end(), is_far), measured.end());
 }
 
-}  // namespace
-
-void keepNear(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
-  forgetNearest(buffers.memory.distance_cache);
-  keepNearFrom(setup, 0, buffers);
+/// Whether its elements were near enough to be refined.
+bool isTask(const CycleSetup& setup, const RefineWork& refined, const PairDistance& pair) noexcept {
+  return refined.task_of[setup.element_pair_of[index(pair.pair)]] != kNone;
 }
 
-void measureDeferred(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
-  const auto isRefined = [&](PairId id) {
-    return buffers.refine.is_measured[setup.element_pair_of[index(id)]] != 0;
+/// Of lone bodies, for distances from index `first` on. Elements that the budget starved, or whose
+/// distance is not asked for, may be anywhere beyond their bound.
+void findNearestOfLinks(const CycleSetup& setup, std::size_t first,
+                        CycleBuffers& buffers) noexcept {
+  DistanceCache& cache = buffers.memory.distance_cache;
+  for (std::size_t i = first; i < buffers.distances.pairs.size(); ++i) {
+    const PairDistance& pair = buffers.distances.pairs[i];
+    if (!areLone(cache, setup.table[pair.pair])) {
+      continue;
+    }
+    const LinkPairIndex links = setup.link_pair_of[index(pair.pair)];
+    const double value = isTask(setup, buffers.refine, pair) ? buffers.refine.nearest[links]
+                                                             : pair.measured.distance;
+    double& nearest = cache.nearest_of_links[links];
+    if (value < nearest) {
+      if (nearest == kInfinity) {
+        cache.measured_links.push_back(links);
+      }
+      nearest = value;
+    }
+  }
+}
+
+/// Drops what need not be measured of the deferred pairs.
+void dropDecided(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
+  constexpr double kRounding = 1e-9;
+  const DistanceCache& cache = buffers.memory.distance_cache;
+  const NearBodies near = nearBodies(setup, poses, buffers);
+  const auto isDecided = [&](PairId id) {
+    const BodyPair& pair = setup.table[id];
+    const ElementsPlace place = near.placeOf(id);
+    const double travel = cache.travels[index(pair.a)].all + cache.travels[index(pair.b)].all;
+    return buffers.refine.is_measured[place.elements] != 0 ||
+           near.isFar(place, near.nearestOfLone(place),
+                      cache.distances[index(id)] - travel - kRounding);
   };
   auto& deferred = buffers.deferred;
-  deferred.erase(std::remove_if(deferred.begin(), deferred.end(), isRefined), deferred.end());
-  if (deferred.empty()) {
+  deferred.erase(std::remove_if(deferred.begin(), deferred.end(), isDecided), deferred.end());
+  std::sort(deferred.begin(), deferred.end());
+}
+
+/// Drops elements that matter only if they are the nearest of their links, and are not.
+void dropFarther(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
+  const NearBodies near = nearBodies(setup, poses, buffers);
+  const auto isFarther = [&](const PairDistance& pair) {
+    const ElementsPlace place = near.placeOf(pair.pair);
+    const double of_links = near.nearestOfLone(place);
+    const double distance = pair.measured.distance;
+    return distance > of_links && !isTask(setup, buffers.refine, pair) &&
+           near.isFar(place, of_links, distance);
+  };
+  auto& measured = buffers.distances.pairs;
+  measured.erase(std::remove_if(measured.begin(), measured.end(), isFarther), measured.end());
+}
+
+}  // namespace
+
+void keepNear(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
+  forgetNearest(buffers.memory.distance_cache);
+  keepNearFrom(setup, poses, 0, buffers);
+}
+
+void measureDeferred(const CycleSetup& setup, const LinkPoses& poses,
+                     CycleBuffers& buffers) noexcept {
+  if (!buffers.robots.passes_lone && buffers.deferred.empty()) {
     return;
   }
+  forgetNearestOfLinks(buffers.memory.distance_cache);
+  findNearestOfLinks(setup, 0, buffers);
+  dropDecided(setup, poses, buffers);
   auto& measured = buffers.distances.pairs;
   const std::size_t first = measured.size();
-  addPairs(setup, buffers.body_poses, deferred, buffers.distances);
-  keepNearFrom(setup, first, buffers);
-  std::sort(measured.begin(), measured.end(),
-            [](const PairDistance& x, const PairDistance& y) { return x.pair < y.pair; });
-  buffers.counters.culled_by_cache -= deferred.size();
+  if (!buffers.deferred.empty()) {
+    addPairs(setup, buffers.body_poses, buffers.deferred, buffers.distances);
+    keepNearFrom(setup, poses, first, buffers);
+    findNearestOfLinks(setup, first, buffers);
+    std::sort(measured.begin(), measured.end(),
+              [](const PairDistance& x, const PairDistance& y) { return x.pair < y.pair; });
+    buffers.counters.culled_by_cache -= buffers.deferred.size();
+  }
+  dropFarther(setup, poses, buffers);
 }
 
 }  // namespace collision_monitor

@@ -82,29 +82,32 @@ void listCandidates(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
   }
 }
 
-/// Lists the elements of the listed pairs.
-void listElements(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
-  const NearBodies near = nearBodies(setup, buffers);
+/// Lists the groups of the listed pairs.
+void listGroups(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
+  const NearBodies near = nearBodies(setup, poses, buffers);
   DistanceCache& cache = buffers.memory.distance_cache;
-  cache.listed_elements.clear();
+  cache.groups.clear();
   for (ListedPair& pair : cache.listed) {
-    std::uint32_t& place = cache.listed_of[setup.element_pair_of[index(pair.pair)]];
+    const bool are_lone = areLone(cache, pair);
+    std::uint32_t& place = are_lone ? cache.group_of_lone[setup.link_pair_of[index(pair.pair)]]
+                                    : cache.group_of[setup.element_pair_of[index(pair.pair)]];
     if (place == kNone) {
-      place = static_cast<std::uint32_t>(cache.listed_elements.size());
-      cache.listed_elements.push_back({near.placeOf(pair.pair)});
+      place = static_cast<std::uint32_t>(cache.groups.size());
+      cache.groups.push_back({near.placeOf(pair.pair), are_lone});
     }
     pair.place = place;
   }
-  for (const ListedElements& listed : cache.listed_elements) {
-    cache.listed_of[listed.place.elements] = kNone;
+  for (const ListedGroup& group : cache.groups) {
+    cache.group_of[group.place.elements] = kNone;
+    cache.group_of_lone[group.place.link_pair] = kNone;
   }
 }
 
 /// Keeps the candidates that the cache does not prove to be far for as long as the list serves.
-void keepListed(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
+void keepListed(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
   constexpr double kRounding = 1e-9;  // of the cached distance
   DistanceCache& cache = buffers.memory.distance_cache;
-  const NearBodies near = nearBodies(setup, buffers);
+  const NearBodies near = nearBodies(setup, poses, buffers);
   const auto is_far = [&](const ListedPair& pair) {
     const BodyTravel& a = cache.travels[index(pair.a)];
     const BodyTravel& b = cache.travels[index(pair.b)];
@@ -133,9 +136,9 @@ void listNear(const CycleSetup& setup, const LinkPoses& poses, bool have_links_c
     findCandidates(setup, poses, cache.is_listed ? kListMargin : 0.0, buffers);
     listCandidates(setup, buffers);
     if (cache.is_listed) {
-      keepListed(setup, buffers);
+      keepListed(setup, poses, buffers);
     }
-    listElements(setup, buffers);
+    listGroups(setup, poses, buffers);
   }
 }
 

@@ -10,6 +10,7 @@
 #include "geometry/constants.h"
 #include "motion/closing.h"
 #include "pipeline/cycle/judge_pairs.h"
+#include "pipeline/cycle/near_bodies.h"
 #include "pipeline/look_ahead/find_closings.h"
 #include "pipeline/refine/measure_fully.h"
 
@@ -50,8 +51,11 @@ bool isBetween(double threshold, double least, double most) noexcept {
 /// points are not known: such a pair is taken to close as fast as its links can.
 class ToldPairs {
  public:
-  ToldPairs(const CycleSetup& setup, CycleBuffers& buffers) noexcept
-      : setup_(setup), buffers_(buffers), least_(buffers.robots.least) {
+  ToldPairs(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept
+      : setup_(setup),
+        buffers_(buffers),
+        near_(nearBodies(setup, poses, buffers)),
+        least_(buffers.robots.least) {
     std::fill(least_.begin(), least_.end(), LeastOfPairs());
   }
 
@@ -106,7 +110,7 @@ class ToldPairs {
   bool maySlow(const PairDistance& pair) const noexcept {
     const LinkPairIndex links = linksOf(pair);
     const Limits& limits = limitsOf(setup_, links);
-    LeastOfPairs said = whatIsSaid(setup_, limits, pair.measured.distance, fastestOf(links));
+    LeastOfPairs said = whatIsSaid(setup_, limits, pair.measured.distance, fastestOf(pair));
     said.distance = kInfinity;
     const double nearest = buffers_.refine.nearest[links];
     const Verdict reported = buffers_.memory.reported[links];
@@ -141,6 +145,17 @@ class ToldPairs {
     return buffers_.activation.speed[buffers_.activation.place_of[links]];
   }
 
+  /// [m/s] As fastestOf of its links, for a skipped pair.
+  double fastestOf(const PairDistance& pair) const noexcept {
+    const double of_links = fastestOf(linksOf(pair));
+    const double distance = pair.measured.distance;
+    if (!areLone(near_.cache, setup_.table[pair.pair]) || !(distance > 0.0)) {
+      return of_links;
+    }
+    const ElementsPlace place = near_.placeOf(pair.pair);
+    return std::min(of_links, near_.fallOf(place, near_.closingOf(place)) / distance);
+  }
+
   /// Whether the verdict may differ from the one reported.
   bool mayChange(LinkPairIndex links, const LeastOfPairs& said, double farthest) const noexcept {
     const Limits& limits = limitsOf(setup_, links);
@@ -164,6 +179,7 @@ class ToldPairs {
 
   const CycleSetup& setup_;
   const CycleBuffers& buffers_;
+  NearBodies near_;
   std::vector<LeastOfPairs>& least_;
 };
 
@@ -198,7 +214,9 @@ void measureSkipped(const CycleSetup& setup, const LinkPoses& poses, CycleBuffer
     if (!told.isSkipped(distances.pairs[i]) || !told.isTold(distances.pairs[i])) {
       continue;
     }
-    const std::uint32_t place = placeOfNearest(setup, distances, i);
+    const bool is_lone =
+        areLone(buffers.memory.distance_cache, setup.table[distances.pairs[i].pair]);
+    const std::uint32_t place = is_lone ? i : placeOfNearest(setup, distances, i);
     PairDistance& nearest = distances.pairs[place];
     raiseByRecall(setup, buffers.body_poses, buffers.memory, place, buffers.refine, distances);
     const bool is_known =
@@ -207,6 +225,8 @@ void measureSkipped(const CycleSetup& setup, const LinkPoses& poses, CycleBuffer
     findClosing(setup, poses, nearest);
     if (is_known) {
       told.add(nearest);
+    }
+    if (is_known && !is_lone) {
       markOtherBodies(setup, place, distances);
       has_marked = true;
     }
@@ -220,7 +240,7 @@ void measureSkipped(const CycleSetup& setup, const LinkPoses& poses, CycleBuffer
 
 void measureTold(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
   const std::vector<PairDistance>& pairs = buffers.distances.pairs;
-  ToldPairs told(setup, buffers);
+  ToldPairs told(setup, poses, buffers);
   // Nothing is noted yet, so isTold is true of every skipped pair that could ask for anything.
   const auto isTold = [&](const PairDistance& pair) { return told.isTold(pair); };
   if (buffers.refine.tells_all && std::none_of(pairs.begin(), pairs.end(), isTold)) {

@@ -3,18 +3,34 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
+#include "geometry/constants.h"
 #include "pipeline/cycle/cycle_buffers.h"
 
 namespace collision_monitor {
 
+/// Whether each of two bodies is the only one of its element, and one of several of their links: as
+/// where links are many convex parts.
+/// @param pair a BodyPair or another type with both
+template <class Pair>
+bool areLone(const DistanceCache& cache, const Pair& pair) noexcept {
+  const unsigned char a = cache.lone[index(pair.a)];
+  const unsigned char b = cache.lone[index(pair.b)];
+  return (a & b & kLone) != 0 && ((a | b) & kOfSeveral) != 0;
+}
+
 /// How near the bodies of a pair must be to matter.
 struct NearBodies {
   const CycleSetup& setup;
+  const LinkVelocities& velocities;
+  const std::vector<Ball>& balls;  ///< as BodyPoses
   const ActivationDistances& reaches;
+  const RobotSpeeds& robots;
   const DistanceCache& cache;
-  const std::vector<double>& told_below;  ///< as RefineWork
-  const std::vector<Verdict>& reported;   ///< as PairMemory
+  const std::vector<double>& body_travel;  ///< as SweepWork
+  const std::vector<double>& told_below;   ///< as RefineWork
+  const std::vector<Verdict>& reported;    ///< as PairMemory
 
   /// What is looked up of a pair, gathered.
   ElementsPlace placeOf(PairId id) const noexcept {
@@ -64,21 +80,109 @@ struct NearBodies {
     return std::min(reaches.of_limits[pair.limits].all, told);
   }
 
-  /// [m] limitOf is not above this for bodies with these travels, whatever pair they are. NaN if a
-  /// motion ahead is unknown.
+  /// [m] nearOf and heardOf are not above this for bodies with these travels, whatever pair they
+  /// are. NaN if a motion ahead is unknown.
   double highestLimitOf(const BodyTravel& a, const BodyTravel& b) const noexcept {
     const PairReach& farthest = reaches.farthest;
     return std::max(farthest.stop + (a.ahead + b.ahead), std::max(farthest.all, farthest.near));
   }
 
-  /// [m] Above this distance bodies do not matter, since nearer ones of their elements do.
-  double limitOf(const ElementsPlace& pair, double nearest) const noexcept {
-    return std::max(nearOf(pair), std::min(heardOf(pair), nearest));
+  /// Whether bodies this far apart do not matter.
+  /// @param nearest [m] bodies of their elements that are as near as this do not make them matter
+  bool isFar(const ElementsPlace& pair, double nearest, double distance) const noexcept {
+    return distance > atRest(pair, nearest) &&
+           (distance > nearOf(pair) ||
+            (passesLone(pair) && distance > byClosing(pair, closingOf(pair))));
   }
+
+  /// Whether lone bodies are passed over by how they close.
+  bool passesLone(const ElementsPlace& pair) const noexcept {
+    return robots.passes_lone && areLone(cache, pair);
+  }
+
+  /// [m] Lone bodies that are farther are not the nearest of their links, or were not in the last
+  /// cycle. Infinite for others.
+  double nearestOfLone(const ElementsPlace& pair) const noexcept {
+    return passesLone(pair) ? cache.nearest_of_links[pair.link_pair] : kInfinity;
+  }
+
+  /// [m] Bodies at or below this distance matter even if nothing moves.
+  double atRest(const ElementsPlace& pair, double nearest) const noexcept {
+    return std::max(reaches.of_limits[pair.limits].near, std::min(heardOf(pair), nearest));
+  }
+
+  /// How B's link moves, seen from A, and how far ahead that matters.
+  struct Closing {
+    bool is_known;
+    Eigen::Vector3d linear;  ///< [m/s] at the origin of the world
+    Eigen::Vector3d turn;    ///< [rad/s]
+    double time;             ///< [s] ahead
+    double judged;           ///< [m] how far the links may close while that decides a verdict
+  };
+  Closing closingOf(const ElementsPlace& pair) const noexcept;
+
+  /// [m^2/s] The distance d of two bodies falls no faster than this divided by d. Not finite where
+  /// a velocity is not known.
+  ///
+  /// Seen from A, a point p of B moves by v(p) = v(c) + w x (p - c), where c is the center of B's
+  /// ball. Its distance d to a point q of A falls by -(p - q) . v(p) / d. Both points lie in their
+  /// balls.
+  double fallOf(const ElementsPlace& pair, const Closing& closing) const noexcept;
+
+  /// [m] As nearOf, by fallOf: a pair that comes down to `stop` within `time` is no farther than d
+  /// where d (d - stop) = time * fall. Where a verdict may follow from a time, bodies that are
+  /// nearer than those that cause it still matter. It takes as long as a third of a measurement and
+  /// says little of bodies that are near for their size, so only lone bodies are asked.
+  double byClosing(const ElementsPlace& pair, const Closing& closing) const noexcept;
 };
 
-inline NearBodies nearBodies(const CycleSetup& setup, const CycleBuffers& buffers) noexcept {
-  return {setup, buffers.activation, buffers.memory.distance_cache, buffers.refine.told_below,
+inline NearBodies::Closing NearBodies::closingOf(const ElementsPlace& pair) const noexcept {
+  const CheckedLinkPair& links = setup.checked[pair.link_pair];
+  const double verdict_time = std::max(reaches.contact_time, reaches.warning_time);
+  const std::size_t a = index(links.a);
+  const std::size_t b = index(links.b);
+  const Twist& of_a = velocities.of_link[a];
+  const Twist& of_b = velocities.of_link[b];
+  return {velocities.known[a] != 0 && velocities.known[b] != 0, of_b.linear - of_a.linear,
+          of_b.angular - of_a.angular,
+          std::max(robots.watched[robots.robot_of_link[a]].time,
+                   robots.watched[robots.robot_of_link[b]].time),
+          verdict_time > 0.0 ? verdict_time * reaches.speed[pair.reach_place] : 0.0};
+}
+
+inline double NearBodies::fallOf(const ElementsPlace& pair, const Closing& closing) const noexcept {
+  const Ball& a = balls[index(pair.a)];
+  const Ball& b = balls[index(pair.b)];
+  const Eigen::Vector3d velocity = closing.linear + closing.turn.cross(b.center);
+  const Eigen::Vector3d way = b.center - a.center;
+  const double fall = (a.radius + b.radius) * velocity.norm() - way.dot(velocity) +
+                      b.radius * (closing.turn.cross(way).norm() + a.radius * closing.turn.norm());
+  return closing.is_known ? fall : kInfinity;
+}
+
+inline double NearBodies::byClosing(const ElementsPlace& pair,
+                                    const Closing& closing) const noexcept {
+  constexpr double kRounding = 1e-9;
+  const double fall = fallOf(pair, closing);
+  const PairReach& reach = reaches.of_limits[pair.limits];
+  const double half = 0.5 * reach.stop;
+  const double asked =
+      half + std::sqrt(half * half + closing.time * std::max(fall, 0.0)) + kRounding;
+  const double came = reach.contact + body_travel[index(pair.a)] + body_travel[index(pair.b)];
+  const double judged = reach.stop + closing.judged;
+  return std::isfinite(fall) && std::isfinite(judged) ? std::max({asked, came, judged}) : kInfinity;
+}
+
+inline NearBodies nearBodies(const CycleSetup& setup, const LinkPoses& poses,
+                             const CycleBuffers& buffers) noexcept {
+  return {setup,
+          poses.velocities,
+          buffers.body_poses.balls,
+          buffers.activation,
+          buffers.robots,
+          buffers.memory.distance_cache,
+          buffers.sweep.body_travel,
+          buffers.refine.told_below,
           buffers.memory.reported};
 }
 
@@ -87,6 +191,13 @@ inline NearBodies nearBodies(const CycleSetup& setup, const CycleBuffers& buffer
 template <class Pair>
 double travelOfLinks(const DistanceCache& cache, const Pair& pair) noexcept {
   return cache.travels[index(pair.a)].of_link_all + cache.travels[index(pair.b)].of_link_all;
+}
+
+/// [m] How far the links of two bodies have moved since the last cycle.
+/// @param pair an ElementsPlace or a BodyPair
+template <class Pair>
+double stepOfLinks(const DistanceCache& cache, const Pair& pair) noexcept {
+  return cache.travels[index(pair.a)].of_link + cache.travels[index(pair.b)].of_link;
 }
 
 /// Stores a lower bound of the distance in the cache.

@@ -74,9 +74,9 @@ void list(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers
 void measureNear(const CycleSetup& setup, const LinkPoses& poses, bool counts_bodies,
                  CycleBuffers& buffers) noexcept {
   findActivationDistances(setup, poses, buffers.robots, buffers.sweep, buffers.activation);
-  cullCandidates(setup, buffers);
+  cullCandidates(setup, poses, buffers);
   measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
-  keepNear(setup, buffers);
+  keepNear(setup, poses, buffers);
   buffers.refine.elapsed = buffers.sweep.elapsed;
   buffers.refine.near_bodies = counts_bodies ? buffers.refine.near_bodies : 0;
   refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
@@ -85,7 +85,7 @@ void measureNear(const CycleSetup& setup, const LinkPoses& poses, bool counts_bo
 /// Measures all that somebody is told.
 void measure(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
   measureNear(setup, poses, true, buffers);
-  measureDeferred(setup, buffers);
+  measureDeferred(setup, poses, buffers);
   // Where pairs were passed over, a nearer one was measured, or all are measured once more.
   if (buffers.passed_over == 0) {
     measureClosest(setup, poses, leastActivationDistanceOf(setup), buffers);

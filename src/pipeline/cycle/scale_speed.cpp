@@ -88,11 +88,13 @@ class Demands {
       return may_be_free;
     };
     const bool see_all =
+        !robots_.passes_lone &&
         std::all_of(robots_.expected.begin(), robots_.expected.end(), expectsNothing);
     const bool may_all_be_free = follow(all_, see_all, scale_of_all);
     for (std::size_t i = 0; i < robots_.demands.size(); ++i) {
       const bool may_be_free =
-          follow(robots_.demands[i], expectsNothing(robots_.expected[i]), robots_.scales[i]);
+          follow(robots_.demands[i], !robots_.passes_lone && expectsNothing(robots_.expected[i]),
+                 robots_.scales[i]);
       robots_.may_be_free[i] = may_be_free || may_all_be_free ? 1 : 0;
     }
   }

@@ -157,8 +157,8 @@ struct PassedContact {
 
 /// The distances of a cycle, in `pairs` sorted by pair id. They hold every pair that matters to a
 /// verdict, a time or the speed scale; the nearest bodies of any two elements within the activation
-/// distance; and always the closest pair. A refined pair of elements has one entry, that of its
-/// nearest bodies.
+/// distance, of lone bodies only the nearest of two links; and always the closest pair. A refined
+/// pair of elements has one entry, that of its nearest bodies.
 struct PairDistances {
   std::vector<PairDistance> pairs;
   std::vector<PassedContact> passed;

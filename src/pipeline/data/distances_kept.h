@@ -38,9 +38,11 @@ struct ElementsPlace {
   std::uint32_t limits{0};       ///< as CheckedLinkPair
 };
 
-/// Two elements of a list, and what a cycle finds out about all of their bodies.
-struct ListedElements {
-  ElementsPlace place;
+/// Bodies of a list, and what a cycle finds out about all of them: those of two elements, or all
+/// lone bodies of two links.
+struct ListedGroup {
+  ElementsPlace place;  ///< of lone bodies, of any of them
+  bool is_of_lone{false};
   /// [m] A lower bound for all listed bodies plus the travel of both links, as
   /// DistanceCache::elements.
   double gap{-std::numeric_limits<double>::infinity()};
@@ -49,7 +51,7 @@ struct ListedElements {
   double by_links{0.0};     ///< [m] bodies matter up to this distance, by the motion of both links
   double at_rest{0.0};      ///< [m] or up to this and their motion ahead
   double stop{0.0};         ///< [m]
-  double nearest{0.0};      ///< [m] an upper bound of the least distance of its bodies
+  double nearest{0.0};      ///< [m] bodies farther than this are not the nearest of two elements
   double told{0.0};         ///< [m] up to this distance the nearest bodies matter
   bool is_passed{false};    ///< none of its bodies matters
   bool is_measured{false};  ///< in the last cycle
@@ -61,8 +63,12 @@ struct ListedPair {
   PairId pair{};
   BodyId a{};
   BodyId b{};
-  std::uint32_t place{0};  ///< index into DistanceCache::listed_elements
+  std::uint32_t place{0};  ///< index into DistanceCache::groups
 };
+
+/// Bits of DistanceCache::lone.
+constexpr unsigned char kLone = 1;       ///< its element has no other body
+constexpr unsigned char kOfSeveral = 2;  ///< and its link has other bodies
 
 /// Earlier distances, kept as lower bounds while bodies move.
 struct DistanceCache {
@@ -75,6 +81,10 @@ struct DistanceCache {
   /// was measured.
   std::vector<double> nearest;
   std::vector<ElementPairIndex> measured_pairs;  ///< pairs with a finite `nearest`
+  /// By LinkPairIndex, where bodies are lone: [m] what the last cycle could tell of them, at most;
+  /// lone bodies that were farther were not the nearest. Infinity: nothing.
+  std::vector<double> nearest_of_links;
+  std::vector<std::uint32_t> measured_links;  ///< pairs with a finite `nearest_of_links`
   /// By ElementPairIndex: [m] a lower bound of their distance plus the travel of both links. This
   /// value minus their travel now is a lower bound. -infinity: none.
   std::vector<double> elements;
@@ -83,10 +93,13 @@ struct DistanceCache {
   std::vector<double> links;
   /// The pairs that can be near before bodies use up kListMargin; without a list, in this cycle.
   std::vector<ListedPair> listed;
-  std::vector<ListedElements> listed_elements;  ///< of `listed`
-  std::vector<std::uint32_t> listed_of;  ///< by ElementPairIndex: scratch, kNone between two lists
-  bool is_listed{false};                 ///< false: no list is known
-  std::vector<IndexRange> listed_moved;  ///< MovedParts::bodies when `listed` was filled
+  std::vector<ListedGroup> groups;      ///< of `listed`
+  std::vector<std::uint32_t> group_of;  ///< by ElementPairIndex: scratch, kNone between two lists
+  std::vector<std::uint32_t> group_of_lone;  ///< by LinkPairIndex, as group_of
+  std::vector<unsigned char> lone;           ///< by BodyId: kLone, kOfSeveral
+  bool has_lone{false};                      ///< a body has both bits
+  bool is_listed{false};                     ///< false: no list is known
+  std::vector<IndexRange> listed_moved;      ///< MovedParts::bodies when `listed` was filled
 };
 
 }  // namespace collision_monitor

@@ -58,6 +58,7 @@ struct RobotSpeeds {
   std::vector<Watched> watched;  ///< what follows from `expected`
   /// The scale may jump to 1, but pairs were passed over: the next cycle looks at all.
   std::vector<unsigned char> may_be_free;
+  bool passes_lone{false};  ///< lone bodies were passed over by how they close
   /// By robot * number of scales + robot: kHasUnknown, kHasLost, of pairs between them.
   std::vector<unsigned char> has_unknown;
   std::uint64_t noted{0};  ///< PairEvents::complete_judgements that `has_unknown` follows

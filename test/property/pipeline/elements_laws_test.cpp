@@ -12,15 +12,13 @@
 #include <vector>
 
 #include "collision_monitor/motion/speed_scale.h"
-#include "listening_scene.h"
 #include "pipeline/cycle/judge_pairs.h"
+#include "split_links.h"
 
 // A link of several elements slows the robot down as a link for each of them
 // would.
 namespace collision_monitor::test::measure_told_laws {
 namespace {
-
-using Links = std::vector<std::vector<CollisionElement>>;
 
 /// Four links of two meshes. The second mesh has two parts, which two shapes enclose.
 Links linksOfTwoElements() {
@@ -68,32 +66,6 @@ CycleSetup makeSetup(const Links& links, const Conditions& conditions) {
   setup.ahead.stop.release_time = 1e-9;  // no scale depends on earlier ones,
   setup.ahead.stop.rest_speed = 0.0;     // and nothing that was stopped rests
   return setup;
-}
-
-/// A link for each element.
-Links split(const Links& links) {
-  Links elements;
-  for (const std::vector<CollisionElement>& link : links) {
-    for (const CollisionElement& element : link) {
-      elements.push_back({element});
-      elements.back().front().link_from_geometry = Pose();
-    }
-  }
-  return elements;
-}
-
-/// Moves elements with their links.
-void place(const Links& links, const LinkPoses& poses, LinkPoses& elements) {
-  elements.stamp_ns = poses.stamp_ns;
-  std::size_t next = 0;
-  for (std::size_t link = 0; link < links.size(); ++link) {
-    for (const CollisionElement& element : links[link]) {
-      elements.world_from_link[next] = poses.world_from_link[link] * element.link_from_geometry;
-      elements.velocities.of_link[next] = poses.velocities.of_link[link];
-      elements.velocities.known[next] = 1;
-      ++next;
-    }
-  }
 }
 
 /// Links 1 and 3 move about beside links 0 and 2, mostly within 2 cm. Link 5 creeps away from 4.
