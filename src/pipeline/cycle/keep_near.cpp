@@ -42,8 +42,8 @@ bool isTask(const CycleSetup& setup, const RefineWork& refined, const PairDistan
   return refined.task_of[setup.element_pair_of[index(pair.pair)]] != kNone;
 }
 
-/// Of lone bodies, for distances from index `first` on. Elements that the budget starved, or whose
-/// distance is not asked for, may be anywhere beyond their bound.
+/// Of lone bodies, for distances from index `first` on. Where elements are refined, the least
+/// refined distance counts: those that were starved or skipped have only a lower bound.
 void findNearestOfLinks(const CycleSetup& setup, std::size_t first,
                         CycleBuffers& buffers) noexcept {
   DistanceCache& cache = buffers.memory.distance_cache;

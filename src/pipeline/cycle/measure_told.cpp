@@ -145,7 +145,7 @@ class ToldPairs {
     return buffers_.activation.speed[buffers_.activation.place_of[links]];
   }
 
-  /// [m/s] As fastestOf of its links, for a skipped pair.
+  /// [m/s] A bound of the closing speed of a skipped pair: that of its links, or of its own balls.
   double fastestOf(const PairDistance& pair) const noexcept {
     const double of_links = fastestOf(linksOf(pair));
     const double distance = pair.measured.distance;

@@ -10,7 +10,7 @@
 
 namespace collision_monitor {
 
-/// Whether each of two bodies is the only one of its element, and one of several of their links: as
+/// Whether both bodies are the only ones of their elements and one of the two links has several, as
 /// where links are many convex parts.
 /// @param pair a BodyPair or another type with both
 template <class Pair>
@@ -100,8 +100,8 @@ struct NearBodies {
     return robots.passes_lone && areLone(cache, pair);
   }
 
-  /// [m] Lone bodies that are farther are not the nearest of their links, or were not in the last
-  /// cycle. Infinite for others.
+  /// [m] Lone bodies that are farther are not the nearest of their links; before measureDeferred,
+  /// they were not in the last cycle. Infinite for others.
   double nearestOfLone(const ElementsPlace& pair) const noexcept {
     return passesLone(pair) ? cache.nearest_of_links[pair.link_pair] : kInfinity;
   }

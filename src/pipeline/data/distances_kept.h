@@ -41,7 +41,7 @@ struct ElementsPlace {
 /// Bodies of a list, and what a cycle finds out about all of them: those of two elements, or all
 /// lone bodies of two links.
 struct ListedGroup {
-  ElementsPlace place;  ///< of lone bodies, of any of them
+  ElementsPlace place;  ///< of its elements; if it is of lone bodies, of any of them
   bool is_of_lone{false};
   /// [m] A lower bound for all listed bodies plus the travel of both links, as
   /// DistanceCache::elements.
@@ -68,7 +68,7 @@ struct ListedPair {
 
 /// Bits of DistanceCache::lone.
 constexpr unsigned char kLone = 1;       ///< its element has no other body
-constexpr unsigned char kOfSeveral = 2;  ///< and its link has other bodies
+constexpr unsigned char kOfSeveral = 2;  ///< only beside kLone: its link has other bodies
 
 /// Earlier distances, kept as lower bounds while bodies move.
 struct DistanceCache {
