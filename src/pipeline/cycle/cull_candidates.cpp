@@ -54,7 +54,7 @@ void lookUp(const NearBodies& near, const RefineWork& refined, ListedGroup& grou
   group.at_rest = reach.near;
   group.stop = reach.stop;
   group.nearest = group.is_of_lone ? kInfinity : near.cache.nearest[place.elements] + step;
-  group.told = std::min(near.heardOf(place), group.nearest);
+  group.told = near.atRest(place, group.nearest);
   group.is_measured = refined.is_measured[place.elements] != 0;
   group.least_gap = kInfinity;
   group.has_near = false;

@@ -83,15 +83,13 @@ void dropDecided(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& 
   std::sort(deferred.begin(), deferred.end());
 }
 
-/// Drops elements that matter only if they are the nearest of their links, and are not.
+/// Drops lone bodies that matter only if they are the nearest of their links, and are not.
 void dropFarther(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
   const NearBodies near = nearBodies(setup, poses, buffers);
   const auto isFarther = [&](const PairDistance& pair) {
     const ElementsPlace place = near.placeOf(pair.pair);
-    const double of_links = near.nearestOfLone(place);
     const double distance = pair.measured.distance;
-    return distance > of_links && !isTask(setup, buffers.refine, pair) &&
-           near.isFar(place, of_links, distance);
+    return distance > near.nearestOfLone(place) && !near.closes(place, distance);
   };
   auto& measured = buffers.distances.pairs;
   measured.erase(std::remove_if(measured.begin(), measured.end(), isFarther), measured.end());

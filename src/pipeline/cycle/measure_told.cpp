@@ -153,7 +153,7 @@ class ToldPairs {
       return of_links;
     }
     const ElementsPlace place = near_.placeOf(pair.pair);
-    return std::min(of_links, near_.fallOf(place, near_.closingOf(place)) / distance);
+    return std::min(of_links, near_.closingBound(place, near_.closingOf(place)));
   }
 
   /// Whether the verdict may differ from the one reported.

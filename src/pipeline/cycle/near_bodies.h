@@ -90,9 +90,13 @@ struct NearBodies {
   /// Whether bodies this far apart do not matter.
   /// @param nearest [m] bodies of their elements that are as near as this do not make them matter
   bool isFar(const ElementsPlace& pair, double nearest, double distance) const noexcept {
-    return distance > atRest(pair, nearest) &&
-           (distance > nearOf(pair) ||
-            (passesLone(pair) && distance > byClosing(pair, closingOf(pair))));
+    return distance > atRest(pair, nearest) && !closes(pair, distance);
+  }
+
+  /// Whether bodies this far apart may matter because they move.
+  bool closes(const ElementsPlace& pair, double distance) const noexcept {
+    return !(distance > nearOf(pair)) &&
+           !(passesLone(pair) && distance > byClosing(pair, closingOf(pair)));
   }
 
   /// Whether lone bodies are passed over by how they close.
@@ -106,10 +110,16 @@ struct NearBodies {
     return passesLone(pair) ? cache.nearest_of_links[pair.link_pair] : kInfinity;
   }
 
-  /// [m] Bodies at or below this distance matter even if nothing moves.
+  /// [m] Bodies at or below this distance matter even if nothing moves. Of lone bodies, those do
+  /// not that are farther apart than their links.
   double atRest(const ElementsPlace& pair, double nearest) const noexcept {
-    return std::max(reaches.of_limits[pair.limits].near, std::min(heardOf(pair), nearest));
+    const double of_all =
+        std::max(reaches.of_limits[pair.limits].near, std::min(heardOf(pair), nearest));
+    return passesLone(pair) ? std::min(of_all, farthestOfLinks(pair)) : of_all;
   }
+
+  /// [m] An upper bound of the distance of their links: see DistanceCache::links.
+  double farthestOfLinks(const ElementsPlace& pair) const noexcept;
 
   /// How B's link moves, seen from A, and how far ahead that matters.
   struct Closing {
@@ -121,16 +131,17 @@ struct NearBodies {
   };
   Closing closingOf(const ElementsPlace& pair) const noexcept;
 
-  /// [m^2/s] The distance d of two bodies falls no faster than this divided by d. Not finite where
-  /// a velocity is not known.
+  /// [m/s] An upper bound of the closing speed at the witness points of two bodies that are apart.
+  /// Infinite where a velocity is not known.
   ///
-  /// Seen from A, a point p of B moves by v(p) = v(c) + w x (p - c), where c is the center of B's
-  /// ball. Its distance d to a point q of A falls by -(p - q) . v(p) / d. Both points lie in their
-  /// balls.
-  double fallOf(const ElementsPlace& pair, const Closing& closing) const noexcept;
+  /// Let n be the direction from A's witness point to B's. Both lie in their balls, so n is within
+  /// an angle of the line of centers whose sine is the sum of the radii over the distance of the
+  /// centers. Seen from A, B's witness point p moves by v(p) = v(c) + w x (p - c), and the distance
+  /// falls by -n . v(p). A's witness point moves as fast along n, so c is the center of the smaller
+  /// ball.
+  double closingBound(const ElementsPlace& pair, const Closing& closing) const noexcept;
 
-  /// [m] As nearOf, by fallOf: a pair that comes down to `stop` within `time` is no farther than d
-  /// where d (d - stop) = time * fall. Where a verdict may follow from a time, bodies that are
+  /// [m] As nearOf, by closingBound. Where a verdict may follow from a time, bodies that are
   /// nearer than those that cause it still matter. It takes as long as a third of a measurement and
   /// says little of bodies that are near for their size, so only lone bodies are asked.
   double byClosing(const ElementsPlace& pair, const Closing& closing) const noexcept;
@@ -150,27 +161,38 @@ inline NearBodies::Closing NearBodies::closingOf(const ElementsPlace& pair) cons
           verdict_time > 0.0 ? verdict_time * reaches.speed[pair.reach_place] : 0.0};
 }
 
-inline double NearBodies::fallOf(const ElementsPlace& pair, const Closing& closing) const noexcept {
+inline double NearBodies::closingBound(const ElementsPlace& pair,
+                                       const Closing& closing) const noexcept {
   const Ball& a = balls[index(pair.a)];
   const Ball& b = balls[index(pair.b)];
-  const Eigen::Vector3d velocity = closing.linear + closing.turn.cross(b.center);
+  const Ball& smaller = a.radius < b.radius ? a : b;
+  const Eigen::Vector3d velocity = closing.linear + closing.turn.cross(smaller.center);
   const Eigen::Vector3d way = b.center - a.center;
-  const double fall = (a.radius + b.radius) * velocity.norm() - way.dot(velocity) +
-                      b.radius * (closing.turn.cross(way).norm() + a.radius * closing.turn.norm());
-  return closing.is_known ? fall : kInfinity;
+  const double squared_way = way.squaredNorm();
+  const double reach = a.radius + b.radius;
+  const double along = -way.dot(velocity);  // times the length of the way, as `reach`
+  const double squared_speed = velocity.squaredNorm();
+  const double squared_gap = squared_way - reach * reach;
+  // Within the angle lies the velocity itself, or the direction at its edge is the fastest.
+  const bool holds_velocity =
+      !(squared_gap > 0.0) || (along > 0.0 && along * along >= squared_gap * squared_speed);
+  const double across = std::sqrt(std::max(0.0, squared_way * squared_speed - along * along));
+  const double bound = holds_velocity
+                           ? std::sqrt(squared_speed)
+                           : (along * std::sqrt(squared_gap) + across * reach) / squared_way;
+  return closing.is_known ? bound + smaller.radius * closing.turn.norm() : kInfinity;
 }
 
 inline double NearBodies::byClosing(const ElementsPlace& pair,
                                     const Closing& closing) const noexcept {
   constexpr double kRounding = 1e-9;
-  const double fall = fallOf(pair, closing);
+  const double speed = closingBound(pair, closing);
   const PairReach& reach = reaches.of_limits[pair.limits];
-  const double half = 0.5 * reach.stop;
-  const double asked =
-      half + std::sqrt(half * half + closing.time * std::max(fall, 0.0)) + kRounding;
+  const double asked = reach.stop + closing.time * std::max(speed, 0.0) + kRounding;
   const double came = reach.contact + body_travel[index(pair.a)] + body_travel[index(pair.b)];
   const double judged = reach.stop + closing.judged;
-  return std::isfinite(fall) && std::isfinite(judged) ? std::max({asked, came, judged}) : kInfinity;
+  return std::isfinite(speed) && std::isfinite(judged) ? std::max({asked, came, judged})
+                                                       : kInfinity;
 }
 
 inline NearBodies nearBodies(const CycleSetup& setup, const LinkPoses& poses,
@@ -198,6 +220,11 @@ double travelOfLinks(const DistanceCache& cache, const Pair& pair) noexcept {
 template <class Pair>
 double stepOfLinks(const DistanceCache& cache, const Pair& pair) noexcept {
   return cache.travels[index(pair.a)].of_link + cache.travels[index(pair.b)].of_link;
+}
+
+inline double NearBodies::farthestOfLinks(const ElementsPlace& pair) const noexcept {
+  constexpr double kRounding = 1e-9;  // of both distances
+  return cache.links[pair.link_pair] + travelOfLinks(cache, pair) + kRounding;
 }
 
 /// Stores a lower bound of the distance in the cache.

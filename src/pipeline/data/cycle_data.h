@@ -259,8 +259,9 @@ struct SpeedScale {
 
 /// What survives a cycle. A reset changes hysteresis, which verdicts count as changes, how the
 /// speed scale grows, and for refinement its speed, order and depth estimates; contacts since the
-/// last cycle are then not found. A reset of the distance cache changes only the time a cycle
-/// takes.
+/// last cycle are then not found. A reset of the distance cache changes the time a cycle takes.
+/// While nobody listens, a scale may then grow a cycle sooner or later, and the nearest pair may
+/// have another lower bound beyond refine_distance.
 struct PairMemory {
   /// The next cycle looks at every pair: links became known or unknown, or what follows was changed
   /// from outside of a cycle.

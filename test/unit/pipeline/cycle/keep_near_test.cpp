@@ -15,11 +15,11 @@
 namespace collision_monitor::test {
 namespace {
 
-/// A ball, and on another link two that stand for one element, 0.05 m farther away the second.
-class OneElement : public testing::Test {
+/// A ball, and on another link two, 0.05 m farther away the second.
+class TwoParts : public testing::Test {
  protected:
-  OneElement() {
-    setup_.element_pair_of[1] = setup_.element_pair_of[0];
+  TwoParts() { prepare(); }
+  void prepare() {
     buffers_ = makeBuffers(setup_, BroadPhaseKind::brute_force);
     std::fill(poses_.velocities.known.begin(), poses_.velocities.known.end(), 1);
   }
@@ -40,6 +40,27 @@ class OneElement : public testing::Test {
   CycleBuffers buffers_;
   LinkPoses poses_ = knownPoses(setup_);
 };
+
+/// As TwoParts, but both stand for one element.
+class OneElement : public TwoParts {
+ protected:
+  OneElement() {
+    setup_.element_pair_of[1] = setup_.element_pair_of[0];
+    setup_.bodies[2].element = setup_.bodies[1].element;
+    prepare();
+  }
+};
+
+TEST_F(TwoParts, nearEnoughToBeWarnedOf_nearestBodiesAlone) {
+  EXPECT_EQ(distancesAt(0.002), std::vector<double>{0.002});
+}
+
+TEST_F(TwoParts, nearEnoughToStop_allBodies) {
+  setup_.ahead.stop.stop_distance = 0.06;
+  prepare();
+  EXPECT_EQ(distancesAt(0.002), (std::vector<double>{0.002, 0.052}));
+  EXPECT_EQ(distancesAt(0.003), (std::vector<double>{0.003, 0.053}));
+}
 
 TEST_F(OneElement, fartherThanWarnings_nearestBodiesAlone) {
   EXPECT_EQ(distancesAt(0.1), std::vector<double>{0.1});
