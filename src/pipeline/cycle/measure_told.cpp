@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "collision_monitor/geometry/ids.h"
 #include "collision_monitor/motion/speed_scale.h"
@@ -209,30 +210,33 @@ void measureShortfalls(const CycleSetup& setup, const LinkPoses& poses, CycleBuf
 void measureSkipped(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers,
                     ToldPairs& told) noexcept {
   PairDistances& distances = buffers.distances;
-  bool has_marked = false;
+  RefineWork& work = buffers.refine;
+  bool are_placed = false;
   for (std::uint32_t i = 0; i < distances.pairs.size(); ++i) {
     if (!told.isSkipped(distances.pairs[i]) || !told.isTold(distances.pairs[i])) {
       continue;
     }
-    const bool is_lone =
-        areLone(buffers.memory.distance_cache, setup.table[distances.pairs[i].pair]);
-    const std::uint32_t place = is_lone ? i : placeOfNearest(setup, distances, i);
+    if (!std::exchange(are_placed, true)) {
+      placeTasks(setup, work, distances);
+    }
+    const ElementPairIndex elements = setup.element_pair_of[index(distances.pairs[i].pair)];
+    if (work.is_passed[elements] != 0) {
+      continue;
+    }
+    const std::uint32_t place = work.tasks[work.task_of[elements]].place;
     PairDistance& nearest = distances.pairs[place];
-    raiseByRecall(setup, buffers.body_poses, buffers.memory, place, buffers.refine, distances);
+    raiseByRecall(setup, buffers.body_poses, buffers.memory, place, work, distances);
     const bool is_known =
         !told.isTold(nearest) ||
-        measureFully(setup, buffers.body_poses, buffers.memory, place, buffers.refine, distances);
+        measureFully(setup, buffers.body_poses, buffers.memory, place, work, distances);
     findClosing(setup, poses, nearest);
     if (is_known) {
       told.add(nearest);
-    }
-    if (is_known && !is_lone) {
-      markOtherBodies(setup, place, distances);
-      has_marked = true;
+      work.is_passed[elements] = 1;
     }
   }
-  if (has_marked) {
-    dropMarked(distances);
+  if (are_placed) {
+    dropOtherBodies(setup, work, distances);
   }
 }
 

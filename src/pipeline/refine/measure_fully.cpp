@@ -48,34 +48,34 @@ void raiseByRecall(const CycleSetup& setup, const BodyPoses& body_poses, PairMem
   }
 }
 
-std::uint32_t placeOfNearest(const CycleSetup& setup, const PairDistances& distances,
-                             std::uint32_t place) noexcept {
-  const ElementPairIndex elements = setup.element_pair_of[index(distances.pairs[place].pair)];
-  std::uint32_t nearest = place;
+void placeTasks(const CycleSetup& setup, RefineWork& work,
+                const PairDistances& distances) noexcept {
+  for (RefineTask& task : work.tasks) {
+    task.place = kNone;
+    work.is_passed[task.pair] = 0;
+  }
   for (std::uint32_t i = 0; i < distances.pairs.size(); ++i) {
     const PairDistance& pair = distances.pairs[i];
-    if (setup.element_pair_of[index(pair.pair)] == elements && pair.quality != Quality::unknown &&
-        comesNearer(pair, distances.pairs[nearest])) {
-      nearest = i;
+    const std::uint32_t task = work.task_of[setup.element_pair_of[index(pair.pair)]];
+    if (task != kNone) {
+      std::uint32_t& place = work.tasks[task].place;
+      place = place == kNone || comesNearer(pair, distances.pairs[place]) ? i : place;
     }
   }
-  return nearest;
 }
 
-void markOtherBodies(const CycleSetup& setup, std::uint32_t place,
+void dropOtherBodies(const CycleSetup& setup, const RefineWork& work,
                      PairDistances& distances) noexcept {
-  const ElementPairIndex elements = setup.element_pair_of[index(distances.pairs[place].pair)];
-  for (std::uint32_t i = 0; i < distances.pairs.size(); ++i) {
-    if (i != place && setup.element_pair_of[index(distances.pairs[i].pair)] == elements) {
-      distances.pairs[i].quality = Quality::unknown;
+  std::vector<PairDistance>& pairs = distances.pairs;
+  std::size_t kept = 0;
+  for (std::uint32_t i = 0; i < pairs.size(); ++i) {
+    const ElementPairIndex elements = setup.element_pair_of[index(pairs[i].pair)];
+    const std::uint32_t task = work.task_of[elements];
+    if (task == kNone || work.is_passed[elements] == 0 || work.tasks[task].place == i) {
+      pairs[kept++] = pairs[i];
     }
   }
-}
-
-void dropMarked(PairDistances& distances) noexcept {
-  const auto isMarked = [](const PairDistance& pair) { return pair.quality == Quality::unknown; };
-  std::vector<PairDistance>& pairs = distances.pairs;
-  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), isMarked), pairs.end());
+  pairs.resize(kept);
 }
 
 }  // namespace collision_monitor

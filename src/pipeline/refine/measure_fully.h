@@ -8,7 +8,8 @@ namespace collision_monitor {
 
 /// Measures elements that refinePairs skipped or left with a shortfall, if some of the budget is
 /// left. If none is, those with a shortfall come first in the next cycle.
-/// @param place index of their entry in `distances`; of skipped elements that of placeOfNearest
+/// @param place index of their entry in `distances`; of skipped elements that of their nearest
+/// bodies
 /// @return whether they are measured.
 bool measureFully(const CycleSetup& setup, const BodyPoses& body_poses, PairMemory& memory,
                   std::uint32_t place, RefineWork& work, PairDistances& distances) noexcept;
@@ -18,14 +19,13 @@ bool measureFully(const CycleSetup& setup, const BodyPoses& body_poses, PairMemo
 void raiseByRecall(const CycleSetup& setup, const BodyPoses& body_poses, PairMemory& memory,
                    std::uint32_t place, RefineWork& work, PairDistances& distances) noexcept;
 
-/// Of the entries of the same elements as that at `place`, the place of the nearest bodies.
-std::uint32_t placeOfNearest(const CycleSetup& setup, const PairDistances& distances,
-                             std::uint32_t place) noexcept;
+/// Finds the entry of the nearest bodies of each task, and clears RefineWork::is_passed of its
+/// elements.
+void placeTasks(const CycleSetup& setup, RefineWork& work, const PairDistances& distances) noexcept;
 
-/// Marks all other entries of these elements. dropMarked then removes them.
-void markOtherBodies(const CycleSetup& setup, std::uint32_t place,
+/// Of tasks whose elements are passed, drops all entries but that of the nearest bodies.
+/// @pre placeTasks was called, and no entry was dropped since then
+void dropOtherBodies(const CycleSetup& setup, const RefineWork& work,
                      PairDistances& distances) noexcept;
-
-void dropMarked(PairDistances& distances) noexcept;
 
 }  // namespace collision_monitor

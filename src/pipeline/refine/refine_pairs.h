@@ -46,7 +46,7 @@ struct RefineWork {
   std::vector<RefineTask> tasks;
   std::vector<std::uint32_t> task_of;      ///< by ElementPairIndex: index into tasks, or kNone
   std::vector<unsigned char> is_measured;  ///< by ElementPairIndex: in this cycle
-  std::vector<unsigned char> is_passed;    ///< by ElementPairIndex: scratch of measureClosest
+  std::vector<unsigned char> is_passed;    ///< by ElementPairIndex: scratch
   std::vector<double> nearest;             ///< by LinkPairIndex: [m] the least refined distance
   std::vector<Ball> balls;                 ///< by ElementId: ballOf
   std::unique_ptr<RefineScratch> scratch;
