@@ -157,9 +157,9 @@ class LinkMotions {
   LinkMotion of_carrier_;
 };
 
-/// Lengthens the travel of bodies of a link by its turn between the poses that their distances were
-/// cached for and those of the last cycle, and so what nearest bodies may be apart. Their centers
-/// tell the rest.
+/// Lengthens the travel of a link and its bodies by its turn between the poses that their distances
+/// were cached for and those of the last cycle, and so what nearest bodies may be apart. The
+/// centers of bodies tell the rest.
 void addTurn(const CycleSetup& to, const std::vector<double>& turns, DistanceCache& cache) {
   constexpr double kNotRigid = 1.0 + 10.0 * kRigid;  // as for the travel of a cycle
   constexpr double kRounding = 1e-12;
@@ -172,9 +172,17 @@ void addTurn(const CycleSetup& to, const std::vector<double>& turns, DistanceCac
       farthest[link] = std::max(farthest[link], travel);
     }
   }
+  const auto ofLinks = [&](LinkPairIndex i) {
+    return farthest[index(to.checked[i].a)] + farthest[index(to.checked[i].b)];
+  };
+  for (std::size_t i = 0; i < to.bodies.size(); ++i) {
+    cache.travels[i].of_link_all += farthest[index(to.bodies[i].link)];
+  }
   for (const ElementPairIndex i : cache.measured_pairs) {
-    const CheckedLinkPair& pair = to.checked[to.element_pairs[i].link_pair];
-    cache.nearest[i] += farthest[index(pair.a)] + farthest[index(pair.b)];
+    cache.nearest[i] += ofLinks(to.element_pairs[i].link_pair);
+  }
+  for (const LinkPairIndex i : cache.measured_links) {
+    cache.nearest_of_links[i] += ofLinks(i);
   }
 }
 

@@ -88,8 +88,11 @@ void dropFarther(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& 
   const NearBodies near = nearBodies(setup, poses, buffers);
   const auto isFarther = [&](const PairDistance& pair) {
     const ElementsPlace place = near.placeOf(pair.pair);
+    const std::uint32_t task = buffers.refine.task_of[place.elements];
+    // A refined pair may also have come out of an open mesh.
+    const double outside = task == kNone ? kInfinity : buffers.refine.tasks[task].outside;
     const double distance = pair.measured.distance;
-    return distance > near.nearestOfLone(place) && !near.closes(place, distance);
+    return distance > near.nearestOfLone(place) && !near.closes(place, std::min(distance, outside));
   };
   auto& measured = buffers.distances.pairs;
   measured.erase(std::remove_if(measured.begin(), measured.end(), isFarther), measured.end());

@@ -110,8 +110,8 @@ struct NearBodies {
     return passesLone(pair) ? cache.nearest_of_links[pair.link_pair] : kInfinity;
   }
 
-  /// [m] Bodies at or below this distance matter even if nothing moves. Of lone bodies, those do
-  /// not that are farther apart than their links.
+  /// [m] Bodies at or below this distance matter even if nothing moves. Lone bodies that are
+  /// farther apart than their links do not, not even where pairs are refined or warned of.
   double atRest(const ElementsPlace& pair, double nearest) const noexcept {
     const double of_all =
         std::max(reaches.of_limits[pair.limits].near, std::min(heardOf(pair), nearest));
@@ -136,9 +136,9 @@ struct NearBodies {
   ///
   /// Let n be the direction from A's witness point to B's. Both lie in their balls, so n is within
   /// an angle of the line of centers whose sine is the sum of the radii over the distance of the
-  /// centers. Seen from A, B's witness point p moves by v(p) = v(c) + w x (p - c), and the distance
-  /// falls by -n . v(p). A's witness point moves as fast along n, so c is the center of the smaller
-  /// ball.
+  /// centers. Seen from A, a point p of B moves by v(p) = v(c) + w x (p - c). The distance falls by
+  /// -n . v(p) at B's witness point p, and also at A's, because w x n is at right angles to n. So c
+  /// may be the center of either ball.
   double closingBound(const ElementsPlace& pair, const Closing& closing) const noexcept;
 
   /// [m] As nearOf, by closingBound. Where a verdict may follow from a time, bodies that are
@@ -170,10 +170,10 @@ inline double NearBodies::closingBound(const ElementsPlace& pair,
   const Eigen::Vector3d way = b.center - a.center;
   const double squared_way = way.squaredNorm();
   const double reach = a.radius + b.radius;
-  const double along = -way.dot(velocity);  // times the length of the way, as `reach`
+  const double along = -way.dot(velocity);
   const double squared_speed = velocity.squaredNorm();
   const double squared_gap = squared_way - reach * reach;
-  // Within the angle lies the velocity itself, or the direction at its edge is the fastest.
+  // The fastest direction is against the velocity, if that is within the angle, or at its edge.
   const bool holds_velocity =
       !(squared_gap > 0.0) || (along > 0.0 && along * along >= squared_gap * squared_speed);
   const double across = std::sqrt(std::max(0.0, squared_way * squared_speed - along * along));
@@ -189,7 +189,8 @@ inline double NearBodies::byClosing(const ElementsPlace& pair,
   const double speed = closingBound(pair, closing);
   const PairReach& reach = reaches.of_limits[pair.limits];
   const double asked = reach.stop + closing.time * std::max(speed, 0.0) + kRounding;
-  const double came = reach.contact + body_travel[index(pair.a)] + body_travel[index(pair.b)];
+  const double came =
+      std::max(reach.contact, 0.0) + body_travel[index(pair.a)] + body_travel[index(pair.b)];
   const double judged = reach.stop + closing.judged;
   return std::isfinite(speed) && std::isfinite(judged) ? std::max({asked, came, judged})
                                                        : kInfinity;

@@ -97,7 +97,9 @@ void SettledPairs::recall(const ElementsPlace& pair, double travel) noexcept {
   cache.elements[pair.elements] =
       std::max(cache.elements[pair.elements], nearest - tolerance + travel);
   if (last.found.has_points) {
-    const double motion = std::min(last.found.measured.distance, last.found.outside) - nearest;
+    // At unchanged poses, all of the last measurement is recalled.
+    const double motion =
+        std::max(0.0, std::min(last.found.measured.distance, last.found.outside) - nearest);
     double& of_links = cache.links[pair.link_pair];
     of_links = std::min(of_links, last.found.measured.distance + last.found.shortfall + motion +
                                       tolerance - travel);
@@ -154,10 +156,12 @@ void keepProven(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
   for (const PairDistance& pair : buffers.distances.pairs) {
     const ElementPairIndex elements = setup.element_pair_of[index(pair.pair)];
     const double travel = travelOfLinks(cache, setup.table[pair.pair]);
-    // Bodies that are not the nearest, or beyond the reach of all limits, were not measured.
-    const double nearest = refined.is_measured[elements] != 0
-                               ? pair.measured.distance
-                               : std::min(cache.nearest[elements], buffers.activation.least_near);
+    // Bodies that are not the nearest, or beyond the reach of all limits, were not measured. Into
+    // an open mesh, motion may lead sooner than to its surface.
+    const double nearest =
+        refined.is_measured[elements] != 0
+            ? std::min(pair.measured.distance, refined.tasks[refined.task_of[elements]].outside)
+            : std::min(cache.nearest[elements], buffers.activation.least_near);
     const bool is_apart = pair.quality != Quality::estimate;
     cache.elements[elements] = is_apart ? nearest - tolerance + travel : -kInfinity;
     double& of_links = cache.links[setup.link_pair_of[index(pair.pair)]];
