@@ -92,14 +92,13 @@ void SettledPairs::recall(const ElementsPlace& pair, double travel) noexcept {
     return;
   }
   const double tolerance = buffers_.refine.limits.tolerance + kRounding;
-  const double nearest = recalled.measured.distance;
+  // At unchanged poses, all of the last measurement is recalled, as it was measured.
+  const double nearest = std::min(recalled.measured.distance, recalled.outside);
   DistanceCache& cache = memory_.distance_cache;
   cache.elements[pair.elements] =
       std::max(cache.elements[pair.elements], nearest - tolerance + travel);
   if (last.found.has_points) {
-    // At unchanged poses, all of the last measurement is recalled.
-    const double motion =
-        std::max(0.0, std::min(last.found.measured.distance, last.found.outside) - nearest);
+    const double motion = std::min(last.found.measured.distance, last.found.outside) - nearest;
     double& of_links = cache.links[pair.link_pair];
     of_links = std::min(of_links, last.found.measured.distance + last.found.shortfall + motion +
                                       tolerance - travel);
