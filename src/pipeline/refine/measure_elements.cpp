@@ -258,16 +258,6 @@ ElementDistance measureByHulls(const PlacedElement& a, const PlacedElement& b,
   return padded(a, b, answer);
 }
 
-double boundByHulls(const PlacedElement& a, const PlacedElement& b,
-                    ElementSearch& search) noexcept {
-  const MeshDistance found =
-      distanceByHulls(heldSurfaceOf(a), heldSurfaceOf(b), {stopBeyond(a, b, search)},
-                      search.scratch.mesh, {search.memory.warm, search.memory.nearest});
-  return found.state == MeshState::unknown
-             ? -std::numeric_limits<double>::infinity()
-             : found.measured.distance - a.element.padding - b.element.padding;
-}
-
 std::uint32_t deepenElements(const PlacedElement& a, const PlacedElement& b,
                              std::uint32_t most_points, ElementSearch& search,
                              SignedDistance& overlap) noexcept {

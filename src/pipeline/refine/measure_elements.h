@@ -42,10 +42,6 @@ struct ElementSearch {
 ElementDistance measureElements(const PlacedElement& a, const PlacedElement& b,
                                 ElementSearch& search) noexcept;
 
-/// [m] A lower bound of the distance of two elements by their hulls; -infinity if hulls touch.
-/// @param search its `cutoff` may end the search.
-double boundByHulls(const PlacedElement& a, const PlacedElement& b, ElementSearch& search) noexcept;
-
 /// Measures two elements by their hulls, as measureElements does first: exact with points where
 /// hulls give the distance of the elements, else a lower bound; nothing if hulls touch.
 /// @param search its `cutoff` may end the search.

@@ -60,13 +60,18 @@ bool isTouching(const StateSearch& state, const ElementsInState& pair) noexcept 
   return found.state != ElementContact::State::apart;
 }
 
-/// The distance of two elements, or the bound of their bodies if that is larger.
-StateCheck measure(const StateSearch& state, const ElementsInState& pair, double cutoff) noexcept {
+StateCheck checkOf(const ElementsInState& pair, double distance, Quality quality) noexcept {
   StateCheck check;
   check.has_pair = true;
   check.pair = idAt<PairId>(pair.bodies);
-  check.distance = pair.bound;
-  check.quality = Quality::lower_bound;
+  check.distance = distance;
+  check.quality = quality;
+  return check;
+}
+
+/// The distance of two elements, or the bound of their bodies if that is larger.
+StateCheck measure(const StateSearch& state, const ElementsInState& pair, double cutoff) noexcept {
+  StateCheck check = checkOf(pair, pair.bound, Quality::lower_bound);
   if (areBodies(state.setup, pair.elements)) {
     const BodyPair& bodies = state.setup.table[check.pair];
     const bool are_exact = state.setup.bodies[index(bodies.a)].is_exact &&
@@ -112,14 +117,8 @@ bool comesFirst(const ElementsInState& one, const ElementsInState& other) noexce
 
 /// Gives overlapping geometries no depth.
 StateCheck contactCheck(const StateSearch& state, const ElementsInState& pair) noexcept {
-  StateCheck check;
-  if (isExact(state.setup, pair.elements)) {
-    check.has_pair = true;
-    check.pair = idAt<PairId>(pair.bodies);
-    check.quality = Quality::estimate;
-  } else {
-    check = measure(state, pair, kInfinity);
-  }
+  StateCheck check = isExact(state.setup, pair.elements) ? checkOf(pair, 0.0, Quality::estimate)
+                                                         : measure(state, pair, kInfinity);
   check.verdict = Verdict::contact;
   return check;
 }
@@ -146,27 +145,42 @@ bool matters(const StateSearch& state, const ElementsInState& pair,
   return mayBeNearer(state, pair, best) || pair.bound <= worseWithin(state, pair, best);
 }
 
-/// Raises the bound of a pair to that of the hulls of its geometries.
-void raiseBound(const StateSearch& state, double cutoff, ElementsInState& pair) noexcept {
-  pair.is_raised = true;
-  if (!areConvex(state.setup, pair.elements)) {
-    const ElementPair& elements = state.setup.element_pairs[pair.elements];
-    ElementSearch search = searchFor(state, pair.elements, cutoff);
-    pair.bound = std::max(
-        pair.bound, boundByHulls(placed(state, elements.a), placed(state, elements.b), search));
-  }
+/// [m] A search for the distance of a pair may end here: no less is nearer than the best, or makes
+/// the verdict worse. A bound that ends the search is judged like a distance.
+double cutoffOf(const StateSearch& state, const ElementsInState& pair,
+                const StateCheck& best) noexcept {
+  constexpr double kNotTouching = 1e-3;
+  const double judged = std::max(worseWithin(state, pair, best), contactDistanceOf(state, pair));
+  return std::max({best.distance, kNotTouching, std::nextafter(judged, kInfinity)});
 }
 
-/// Measures a pair that matters, and takes what is nearer or worse.
-void takeNearer(const StateSearch& state, const ElementsInState& pair, StateCheck& best) noexcept {
-  constexpr double kNotTouching = 1e-3;
-  // A bound that ends the search is judged like a distance.
-  const double judged = std::max(worseWithin(state, pair, best), contactDistanceOf(state, pair));
-  const double beyond = std::nextafter(judged, kInfinity);
-  StateCheck found = measure(state, pair, std::max({best.distance, kNotTouching, beyond}));
+/// Takes what is nearer or worse.
+void take(const StateSearch& state, const ElementsInState& pair, StateCheck found,
+          StateCheck& best) noexcept {
   found.verdict = std::max(best.verdict, verdictOf(state, pair, found));
   best.verdict = found.verdict;
   best = found.distance < best.distance ? found : best;
+}
+
+/// Measures a pair by the hulls of its geometries. @return whether they give the distance, which is
+/// then taken; else they may raise the bound
+bool takeByHulls(const StateSearch& state, ElementsInState& pair, StateCheck& best) noexcept {
+  pair.is_raised = true;
+  if (areConvex(state.setup, pair.elements)) {
+    return false;
+  }
+  const ElementPair& elements = state.setup.element_pairs[pair.elements];
+  ElementSearch search = searchFor(state, pair.elements, cutoffOf(state, pair, best));
+  const ElementDistance found =
+      measureByHulls(placed(state, elements.a), placed(state, elements.b), search);
+  if (found.quality == Quality::unknown) {
+    return false;
+  }
+  pair.bound = std::max(pair.bound, found.measured.distance);
+  if (found.quality == Quality::exact) {
+    take(state, pair, checkOf(pair, found.measured.distance, Quality::exact), best);
+  }
+  return found.quality == Quality::exact;
 }
 
 /// For heaps, whose first is the largest.
@@ -175,60 +189,6 @@ bool isFarther(const ElementsInState& one, const ElementsInState& other) noexcep
 }
 
 }  // namespace
-
-void putFirst(ElementPairIndex pair, std::vector<OrderedPair>& order) noexcept {
-  const auto place = std::find_if(order.begin(), order.end(),
-                                  [&](const OrderedPair& one) { return one.elements == pair; });
-  std::rotate(order.begin(), place, place + 1);
-}
-
-bool areBodies(const CycleSetup& setup, ElementPairIndex pair) noexcept {
-  const ElementPair& elements = setup.element_pairs[pair];
-  return setup.elements[index(elements.a)].is_body && setup.elements[index(elements.b)].is_body;
-}
-
-bool areMeasured(const CycleSetup& setup, ElementPairIndex pair) noexcept {
-  const ElementPair& elements = setup.element_pairs[pair];
-  const Element& a = setup.elements[index(elements.a)];
-  const Element& b = setup.elements[index(elements.b)];
-  return !areBodies(setup, pair) && a.is_exact && b.is_exact && a.padding + b.padding == 0.0;
-}
-
-bool isExact(const CycleSetup& setup, ElementPairIndex pair) noexcept {
-  return areMeasured(setup, pair) && contactOfElements(setup, pair) == 0.0;
-}
-
-bool listElements(const StateSearch& state, std::size_t place) noexcept {
-  StatesRefinement& refinement = state.refinement();
-  bool is_known = true;
-  for (const NearInStates& near : refinement.near) {
-    const double distance = near.distance[place];
-    is_known = is_known && !std::isnan(distance);
-    if (!(distance < kInfinity)) {
-      continue;
-    }
-    const ElementPairIndex elements = state.setup.element_pair_of[near.pair];
-    std::uint32_t& listed = refinement.place_of[elements];
-    if (listed == kNone) {
-      listed = static_cast<std::uint32_t>(refinement.pairs.size());
-      constexpr std::uint64_t kFirst = std::numeric_limits<std::uint64_t>::max();
-      const std::uint64_t touched =
-          areBodies(state.setup, elements) ? kFirst : refinement.touched[elements];
-      refinement.pairs.push_back({elements, near.pair, distance, touched});
-    } else if (distance < refinement.pairs[listed].bound) {
-      refinement.pairs[listed].bodies = near.pair;
-      refinement.pairs[listed].bound = distance;
-    }
-  }
-  return is_known;
-}
-
-void forgetElements(StatesRefinement& refinement) noexcept {
-  for (const ElementsInState& pair : refinement.pairs) {
-    refinement.place_of[pair.elements] = kNone;
-  }
-  refinement.pairs.clear();
-}
 
 bool findContact(const StateSearch& state, StateCheck& check) noexcept {
   StatesRefinement& refinement = state.refinement();
@@ -278,15 +238,16 @@ void findNearest(const StateSearch& state, StateCheck& best) noexcept {
     if (state.setup.own_limits.empty() && !(pair.bound < best.distance)) {
       return;  // as little do all that are left
     }
-    if (matters(state, pair, best) && !pair.is_raised) {
-      raiseBound(state, best.distance, pair);
+    if (!matters(state, pair, best)) {
+      --end;
+    } else if (pair.is_raised) {
+      take(state, pair, measure(state, pair, cutoffOf(state, pair, best)), best);
+      --end;
+    } else if (takeByHulls(state, pair, best)) {
+      --end;
+    } else {
       std::push_heap(pairs.begin(), end, isFarther);
-      continue;
     }
-    if (matters(state, pair, best)) {
-      takeNearer(state, pair, best);
-    }
-    --end;
   }
 }
 
