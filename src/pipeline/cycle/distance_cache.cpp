@@ -6,7 +6,6 @@
 
 #include "geometry/constants.h"
 #include "pipeline/cycle/cycle_buffers.h"
-#include "pipeline/cycle/near_bodies.h"
 
 namespace collision_monitor {
 namespace {
@@ -122,7 +121,6 @@ void forgetDistances(DistanceCache& cache) noexcept {
   std::fill(cache.links.begin(), cache.links.end(), kInfinity);
   cache.is_listed = false;
   forgetNearest(cache);
-  forgetNearestOfLinks(cache);
 }
 
 DistanceCache makeDistanceCache(const CycleSetup& setup) {

@@ -7,6 +7,37 @@
 /// Earlier distances, kept as lower bounds while bodies move.
 namespace collision_monitor {
 
+/// Whether both bodies are the only ones of their elements and one of the two links has several, as
+/// where links are many convex parts.
+/// @param pair a BodyPair or another type with both
+template <class Pair>
+bool areLone(const DistanceCache& cache, const Pair& pair) noexcept {
+  const unsigned char a = cache.lone[index(pair.a)];
+  const unsigned char b = cache.lone[index(pair.b)];
+  return (a & b & kLone) != 0 && ((a | b) & kOfSeveral) != 0;
+}
+
+/// [m] How far the links of two bodies have moved.
+/// @param pair an ElementsPlace or a BodyPair
+template <class Pair>
+double travelOfLinks(const DistanceCache& cache, const Pair& pair) noexcept {
+  return cache.travels[index(pair.a)].of_link_all + cache.travels[index(pair.b)].of_link_all;
+}
+
+/// [m] How far the links of two bodies have moved since the last cycle.
+/// @param pair an ElementsPlace or a BodyPair
+template <class Pair>
+double stepOfLinks(const DistanceCache& cache, const Pair& pair) noexcept {
+  return cache.travels[index(pair.a)].of_link + cache.travels[index(pair.b)].of_link;
+}
+
+/// Stores a lower bound of the distance in the cache.
+inline void rememberDistance(double distance, const BodyPair& pair, PairId id,
+                             DistanceCache& cache) noexcept {
+  cache.distances[index(id)] =
+      distance + (cache.travels[index(pair.a)].all + cache.travels[index(pair.b)].all);
+}
+
 /// Makes an empty cache.
 DistanceCache makeDistanceCache(const CycleSetup& setup);
 
@@ -16,7 +47,8 @@ void forgetNearest(DistanceCache& cache) noexcept;
 /// Resets `nearest_of_links`.
 void forgetNearestOfLinks(DistanceCache& cache) noexcept;
 
-/// Forgets all distances; travel stays.
+/// Forgets all distances; travel stays, and so does `nearest_of_links`, which only says in what order
+/// to measure.
 void forgetDistances(DistanceCache& cache) noexcept;
 
 /// Adds up the travel of bodies, so that cached distances stay lower bounds. Forgets the cache if a

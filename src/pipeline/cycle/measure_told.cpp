@@ -154,7 +154,7 @@ class ToldPairs {
       return of_links;
     }
     const ElementsPlace place = near_.placeOf(pair.pair);
-    return std::min(of_links, near_.closingBound(place, near_.closingOf(place)));
+    return std::min(of_links, near_.closingSpeed(place, near_.closingOf(place)));
   }
 
   /// Whether the verdict may differ from the one reported.

@@ -6,19 +6,11 @@
 #include <cmath>
 
 #include "geometry/constants.h"
+#include "motion/closing_bound.h"
 #include "pipeline/cycle/cycle_buffers.h"
+#include "pipeline/cycle/distance_cache.h"
 
 namespace collision_monitor {
-
-/// Whether both bodies are the only ones of their elements and one of the two links has several, as
-/// where links are many convex parts.
-/// @param pair a BodyPair or another type with both
-template <class Pair>
-bool areLone(const DistanceCache& cache, const Pair& pair) noexcept {
-  const unsigned char a = cache.lone[index(pair.a)];
-  const unsigned char b = cache.lone[index(pair.b)];
-  return (a & b & kLone) != 0 && ((a | b) & kOfSeveral) != 0;
-}
 
 /// How near the bodies of a pair must be to matter.
 struct NearBodies {
@@ -111,39 +103,46 @@ struct NearBodies {
   }
 
   /// [m] Bodies at or below this distance matter even if nothing moves. Lone bodies that are
-  /// farther apart than their links do not, not even where pairs are refined or warned of.
+  /// farther apart than their links do not, not even where pairs are refined or warned of. Where a
+  /// velocity is not known, the nearest of them stands for all: it has the lowest scale, and none
+  /// has a known time to contact.
   double atRest(const ElementsPlace& pair, double nearest) const noexcept {
-    const double of_all =
-        std::max(reaches.of_limits[pair.limits].near, std::min(heardOf(pair), nearest));
-    return passesLone(pair) ? std::min(of_all, farthestOfLinks(pair)) : of_all;
+    const bool is_lone = passesLone(pair);
+    const bool stands_for_all = is_lone && !isClosingKnown(pair);
+    const double told = stands_for_all ? nearest : std::min(heardOf(pair), nearest);
+    const double of_all = std::max(reaches.of_limits[pair.limits].near, told);
+    return is_lone && !stands_for_all ? std::min(of_all, farthestOfLinks(pair)) : of_all;
   }
 
   /// [m] An upper bound of the distance of their links: see DistanceCache::links.
   double farthestOfLinks(const ElementsPlace& pair) const noexcept;
 
+  /// Whether the velocities of both links are known.
+  bool isClosingKnown(const ElementsPlace& pair) const noexcept {
+    const CheckedLinkPair& links = setup.checked[pair.link_pair];
+    return velocities.known[index(links.a)] != 0 && velocities.known[index(links.b)] != 0;
+  }
+
   /// How B's link moves, seen from A, and how far ahead that matters.
   struct Closing {
     bool is_known;
-    Eigen::Vector3d linear;  ///< [m/s] at the origin of the world
-    Eigen::Vector3d turn;    ///< [rad/s]
-    double time;             ///< [s] ahead
-    double judged;           ///< [m] how far the links may close while that decides a verdict
+    Twist b_from_a;
+    double time;    ///< [s] ahead
+    double judged;  ///< [m] how far the links may close while that decides a verdict
   };
   Closing closingOf(const ElementsPlace& pair) const noexcept;
 
-  /// [m/s] An upper bound of the closing speed at the witness points of two bodies that are apart.
-  /// Infinite where a velocity is not known.
-  ///
-  /// Let n be the direction from A's witness point to B's. Both lie in their balls, so n is within
-  /// an angle of the line of centers whose sine is the sum of the radii over the distance of the
-  /// centers. Seen from A, a point p of B moves by v(p) = v(c) + w x (p - c). The distance falls by
-  /// -n . v(p) at B's witness point p, and also at A's, because w x n is at right angles to n. So c
-  /// may be the center of either ball.
-  double closingBound(const ElementsPlace& pair, const Closing& closing) const noexcept;
+  /// [m/s] As closingBound of the balls of two bodies; infinite where a velocity is not known.
+  double closingSpeed(const ElementsPlace& pair, const Closing& closing) const noexcept {
+    return closing.is_known
+               ? closingBound(balls[index(pair.a)], balls[index(pair.b)], closing.b_from_a)
+               : kInfinity;
+  }
 
-  /// [m] As nearOf, by closingBound. Where a verdict may follow from a time, bodies that are
-  /// nearer than those that cause it still matter. It takes as long as a third of a measurement and
-  /// says little of bodies that are near for their size, so only lone bodies are asked.
+  /// [m] As nearOf, by closingSpeed: what a scale or a time may follow from, and what may have
+  /// touched since the last cycle. Where a verdict may follow from a time, bodies that are nearer
+  /// than those that cause it still matter. It takes as long as a third of a measurement and says
+  /// little of bodies that are near for their size, so only lone bodies are asked.
   double byClosing(const ElementsPlace& pair, const Closing& closing) const noexcept;
 };
 
@@ -152,45 +151,23 @@ inline NearBodies::Closing NearBodies::closingOf(const ElementsPlace& pair) cons
   const double verdict_time = std::max(reaches.contact_time, reaches.warning_time);
   const std::size_t a = index(links.a);
   const std::size_t b = index(links.b);
-  const Twist& of_a = velocities.of_link[a];
-  const Twist& of_b = velocities.of_link[b];
-  return {velocities.known[a] != 0 && velocities.known[b] != 0, of_b.linear - of_a.linear,
-          of_b.angular - of_a.angular,
+  return {isClosingKnown(pair), velocities.of_link[b] - velocities.of_link[a],
           std::max(robots.watched[robots.robot_of_link[a]].time,
                    robots.watched[robots.robot_of_link[b]].time),
           verdict_time > 0.0 ? verdict_time * reaches.speed[pair.reach_place] : 0.0};
 }
 
-inline double NearBodies::closingBound(const ElementsPlace& pair,
-                                       const Closing& closing) const noexcept {
-  const Ball& a = balls[index(pair.a)];
-  const Ball& b = balls[index(pair.b)];
-  const Ball& smaller = a.radius < b.radius ? a : b;
-  const Eigen::Vector3d velocity = closing.linear + closing.turn.cross(smaller.center);
-  const Eigen::Vector3d way = b.center - a.center;
-  const double squared_way = way.squaredNorm();
-  const double reach = a.radius + b.radius;
-  const double along = -way.dot(velocity);
-  const double squared_speed = velocity.squaredNorm();
-  const double squared_gap = squared_way - reach * reach;
-  // The fastest direction is against the velocity, if that is within the angle, or at its edge.
-  const bool holds_velocity =
-      !(squared_gap > 0.0) || (along > 0.0 && along * along >= squared_gap * squared_speed);
-  const double across = std::sqrt(std::max(0.0, squared_way * squared_speed - along * along));
-  const double bound = holds_velocity
-                           ? std::sqrt(squared_speed)
-                           : (along * std::sqrt(squared_gap) + across * reach) / squared_way;
-  return closing.is_known ? bound + smaller.radius * closing.turn.norm() : kInfinity;
-}
-
 inline double NearBodies::byClosing(const ElementsPlace& pair,
                                     const Closing& closing) const noexcept {
   constexpr double kRounding = 1e-9;
-  const double speed = closingBound(pair, closing);
   const PairReach& reach = reaches.of_limits[pair.limits];
-  const double asked = reach.stop + closing.time * std::max(speed, 0.0) + kRounding;
   const double came =
       std::max(reach.contact, 0.0) + body_travel[index(pair.a)] + body_travel[index(pair.b)];
+  if (!closing.is_known) {
+    return came;
+  }
+  const double speed = closingSpeed(pair, closing);
+  const double asked = reach.stop + closing.time * std::max(speed, 0.0) + kRounding;
   const double judged = reach.stop + closing.judged;
   return std::isfinite(speed) && std::isfinite(judged) ? std::max({asked, came, judged})
                                                        : kInfinity;
@@ -209,30 +186,9 @@ inline NearBodies nearBodies(const CycleSetup& setup, const LinkPoses& poses,
           buffers.memory.reported};
 }
 
-/// [m] How far the links of two bodies have moved.
-/// @param pair an ElementsPlace or a BodyPair
-template <class Pair>
-double travelOfLinks(const DistanceCache& cache, const Pair& pair) noexcept {
-  return cache.travels[index(pair.a)].of_link_all + cache.travels[index(pair.b)].of_link_all;
-}
-
-/// [m] How far the links of two bodies have moved since the last cycle.
-/// @param pair an ElementsPlace or a BodyPair
-template <class Pair>
-double stepOfLinks(const DistanceCache& cache, const Pair& pair) noexcept {
-  return cache.travels[index(pair.a)].of_link + cache.travels[index(pair.b)].of_link;
-}
-
 inline double NearBodies::farthestOfLinks(const ElementsPlace& pair) const noexcept {
   constexpr double kRounding = 1e-9;  // of both distances
   return cache.links[pair.link_pair] + travelOfLinks(cache, pair) + kRounding;
-}
-
-/// Stores a lower bound of the distance in the cache.
-inline void rememberDistance(double distance, const BodyPair& pair, PairId id,
-                             DistanceCache& cache) noexcept {
-  cache.distances[index(id)] =
-      distance + (cache.travels[index(pair.a)].all + cache.travels[index(pair.b)].all);
 }
 
 }  // namespace collision_monitor

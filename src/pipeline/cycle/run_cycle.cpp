@@ -121,6 +121,7 @@ void learnPairs(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& b
   place(setup, poses, buffers.body_poses);
   list(setup, poses, buffers);
   measureNear(setup, poses, false, buffers);
+  measureDeferred(setup, poses, buffers);
   buffers.refine.limits.budget = usual;
 }
 

@@ -62,6 +62,23 @@ TEST_F(TwoParts, nearEnoughToStop_allBodies) {
   EXPECT_EQ(distancesAt(0.003), (std::vector<double>{0.003, 0.053}));
 }
 
+TEST_F(TwoParts, velocityNotKnown_nearestBodiesAlone) {
+  poses_.velocities.known[0] = 0;
+  EXPECT_EQ(distancesAt(0.1), std::vector<double>{0.1});
+  EXPECT_EQ(buffers_.counters.measured, 2U);
+  EXPECT_EQ(distancesAt(0.11), std::vector<double>{0.11});
+  EXPECT_EQ(buffers_.counters.measured, 1U);
+  EXPECT_TRUE(std::isnan(buffers_.events.time_to_contact));
+}
+
+TEST_F(TwoParts, firstCycleAfterLearning_measuresNearestBodiesAlone) {
+  poses_.velocities.known[0] = 0;
+  poses_.world_from_link[1].translation.x() = 0.3;
+  learnPairs(setup_, poses_, buffers_);
+  EXPECT_EQ(distancesAt(0.1), std::vector<double>{0.1});
+  EXPECT_EQ(buffers_.counters.measured, 1U);
+}
+
 TEST_F(OneElement, fartherThanWarnings_nearestBodiesAlone) {
   EXPECT_EQ(distancesAt(0.1), std::vector<double>{0.1});
   EXPECT_EQ(distancesAt(0.11), std::vector<double>{0.11});

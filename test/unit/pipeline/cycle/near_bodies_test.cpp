@@ -32,7 +32,7 @@ void turn(Random& random, LinkPoses& poses) {
   }
 }
 
-TEST(NearBodies, closingBound_isNotLessThanClosingSpeeds) {
+TEST(NearBodies, closingSpeed_isNotLessThanOfWitnessPoints) {
   const CycleSetup setup = longAndShortSetup();
   CycleBuffers buffers = makeBuffers(setup, BroadPhaseKind::brute_force);
   const std::vector<PairId> all = {PairId{0}, PairId{1}, PairId{2}};
@@ -48,7 +48,7 @@ TEST(NearBodies, closingBound_isNotLessThanClosingSpeeds) {
     for (const PairDistance& pair : buffers.distances.pairs) {
       if (pair.measured.distance > 0.0) {
         const ElementsPlace place = near.placeOf(pair.pair);
-        const double bound = near.closingBound(place, near.closingOf(place));
+        const double bound = near.closingSpeed(place, near.closingOf(place));
         EXPECT_LE(pair.closing_speed, bound + 1e-9);
         largest_share = std::max(largest_share, pair.closing_speed / bound);
       }
@@ -57,7 +57,7 @@ TEST(NearBodies, closingBound_isNotLessThanClosingSpeeds) {
   EXPECT_GT(largest_share, 0.8);  // and it is not much more
 }
 
-TEST(NearBodies, closingBound_whereAVelocityIsUnknown_isNotFinite) {
+TEST(NearBodies, closingSpeed_whereAVelocityIsUnknown_isNotFinite) {
   const CycleSetup setup = longAndShortSetup();
   CycleBuffers buffers = makeBuffers(setup, BroadPhaseKind::brute_force);
   LinkPoses poses = randomLinkPoses(setup, 0.5, kSeed);
@@ -70,8 +70,7 @@ TEST(NearBodies, closingBound_whereAVelocityIsUnknown_isNotFinite) {
     const BodyPair& pair = setup.table[PairId{i}];
     const bool is_known = index(setup.bodies[index(pair.a)].link) != 1 &&
                           index(setup.bodies[index(pair.b)].link) != 1;
-    EXPECT_EQ(std::isfinite(near.closingBound(place, near.closingOf(place))), is_known);
-    EXPECT_EQ(std::isfinite(near.byClosing(place, near.closingOf(place))), is_known);
+    EXPECT_EQ(std::isfinite(near.closingSpeed(place, near.closingOf(place))), is_known);
   }
 }
 
