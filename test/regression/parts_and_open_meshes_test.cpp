@@ -76,6 +76,23 @@ TEST(PartsAndOpenMeshes, whatSinksIntoAnOpenBoxWhileNobodyListens_isInContact) {
   EXPECT_EQ(buffers.events.verdicts[0], Verdict::contact);
 }
 
+TEST(PartsAndOpenMeshes, whatReturnsToItsLastMeasurementAndSinks_isInContact) {
+  const CycleSetup setup =
+      partsSetup({{openBox()}, {partAt(kTool, {0, 0, 0})}, {partAt(kBall, {0, 0, 0})}}, 0.01);
+  CycleBuffers buffers = makeBuffers(setup, BroadPhaseKind::brute_force);
+  buffers.refine.tells_all = false;
+  LinkPoses poses = restingPoses(setup);
+  poses.world_from_link[2].translation.z() = -1.05;  // nearest of all, under the box
+  const double measured_at = 0.06;
+  for (int cycle = 0; cycle < 60; ++cycle) {
+    poses.stamp_ns += 10'000'000;
+    double& height = poses.world_from_link[1].translation.z();
+    height = cycle == 0 ? measured_at : cycle < 20 ? 0.5 : measured_at - 0.004 * (cycle - 20);
+    runCycle(setup, poses, buffers);
+  }
+  EXPECT_EQ(buffers.events.verdicts[0], Verdict::contact);
+}
+
 TEST(PartsAndOpenMeshes, whatDipsIntoAnOpenBoxBetweenTwoCycles_wasInContact) {
   CycleSetup setup =
       partsSetup({{openBox(), partAt(kBall, {0, 0, 0.2})}, {partAt(kTool, {0, 0, 0})}}, 0.0);
