@@ -103,25 +103,15 @@ struct NearBodies {
   }
 
   /// [m] Bodies at or below this distance matter even if nothing moves. Lone bodies that are
-  /// farther apart than their links do not, not even where pairs are refined or warned of. Where a
-  /// velocity is not known, the nearest of them stands for all: it has the lowest scale, and none
-  /// has a known time to contact.
+  /// farther apart than their links do not, not even where pairs are refined or warned of.
   double atRest(const ElementsPlace& pair, double nearest) const noexcept {
-    const bool is_lone = passesLone(pair);
-    const bool stands_for_all = is_lone && !isClosingKnown(pair);
-    const double told = stands_for_all ? nearest : std::min(heardOf(pair), nearest);
-    const double of_all = std::max(reaches.of_limits[pair.limits].near, told);
-    return is_lone && !stands_for_all ? std::min(of_all, farthestOfLinks(pair)) : of_all;
+    const double of_all =
+        std::max(reaches.of_limits[pair.limits].near, std::min(heardOf(pair), nearest));
+    return passesLone(pair) ? std::min(of_all, farthestOfLinks(pair)) : of_all;
   }
 
   /// [m] An upper bound of the distance of their links: see DistanceCache::links.
   double farthestOfLinks(const ElementsPlace& pair) const noexcept;
-
-  /// Whether the velocities of both links are known.
-  bool isClosingKnown(const ElementsPlace& pair) const noexcept {
-    const CheckedLinkPair& links = setup.checked[pair.link_pair];
-    return velocities.known[index(links.a)] != 0 && velocities.known[index(links.b)] != 0;
-  }
 
   /// How B's link moves, seen from A, and how far ahead that matters.
   struct Closing {
@@ -141,8 +131,9 @@ struct NearBodies {
 
   /// [m] As nearOf, by closingSpeed: what a scale or a time may follow from, and what may have
   /// touched since the last cycle. Where a verdict may follow from a time, bodies that are nearer
-  /// than those that cause it still matter. It takes as long as a third of a measurement and says
-  /// little of bodies that are near for their size, so only lone bodies are asked.
+  /// than those that cause it still matter. Where a velocity is not known, there is no time, and
+  /// the nearest bodies have the lowest scale. It takes as long as a third of a measurement and
+  /// says little of bodies that are near for their size, so only lone bodies are asked.
   double byClosing(const ElementsPlace& pair, const Closing& closing) const noexcept;
 };
 
@@ -151,7 +142,8 @@ inline NearBodies::Closing NearBodies::closingOf(const ElementsPlace& pair) cons
   const double verdict_time = std::max(reaches.contact_time, reaches.warning_time);
   const std::size_t a = index(links.a);
   const std::size_t b = index(links.b);
-  return {isClosingKnown(pair), velocities.of_link[b] - velocities.of_link[a],
+  return {velocities.known[a] != 0 && velocities.known[b] != 0,
+          velocities.of_link[b] - velocities.of_link[a],
           std::max(robots.watched[robots.robot_of_link[a]].time,
                    robots.watched[robots.robot_of_link[b]].time),
           verdict_time > 0.0 ? verdict_time * reaches.speed[pair.reach_place] : 0.0};

@@ -130,6 +130,7 @@ TEST(RefineProperty, bodiesThatWaitChangeNoByte) {
   for (int cycle = 0; cycle < 10000; ++cycle) {
     creep(random, poses);
     forgetful.memory.distance_cache = makeDistanceCache(setup);
+    forgetful.memory.distance_cache.has_lone = remembering.memory.distance_cache.has_lone = false;
     runCycle(setup, poses, forgetful);
     runCycle(setup, poses, remembering);
     const auto& one = forgetful.distances.pairs;

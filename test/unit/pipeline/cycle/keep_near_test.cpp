@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "collision_monitor/geometry/ids.h"
 #include "pipeline/cycle/measure_pairs.h"
 #include "pipeline/cycle/run_cycle.h"
 #include "support/robots/hand_made_setup.h"
@@ -77,6 +78,26 @@ TEST_F(TwoParts, firstCycleAfterLearning_measuresNearestBodiesAlone) {
   learnPairs(setup_, poses_, buffers_);
   EXPECT_EQ(distancesAt(0.1), std::vector<double>{0.1});
   EXPECT_EQ(buffers_.counters.measured, 1U);
+}
+
+/// One link turns about a part that stays near the other link; its far part passes that link's.
+TEST(PartsThatPass, whileVelocitiesAreNotKnown_wereInContact) {
+  const Pose far{Eigen::Matrix3d::Identity(), {0.0, 2.0, 0.0}};
+  CycleSetup setup = handMadeSetup(
+      {{0, Sphere{0.1}}, {0, Sphere{0.1}, far}, {1, Sphere{0.1}}, {1, Sphere{0.1}, far}});
+  setup.is_continuous = true;
+  CycleBuffers buffers = makeBuffers(setup, BroadPhaseKind::brute_force);
+  LinkPoses poses = knownPoses(setup);
+  poses.world_from_link[1].translation.x() = 0.25;
+  for (int cycle = 0; cycle < 6; ++cycle) {
+    const double angle = cycle % 2 == 0 ? -0.1 : 0.35;
+    poses.stamp_ns += 10'000'000;
+    poses.world_from_link[1].rotation =
+        Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    runCycle(setup, poses, buffers);
+    EXPECT_EQ(buffers.events.passed[0] != kNone, cycle > 0) << cycle;
+    EXPECT_NEAR(buffers.distances.pairs[0].measured.distance, 0.05, 1e-9);
+  }
 }
 
 TEST_F(OneElement, fartherThanWarnings_nearestBodiesAlone) {
