@@ -18,17 +18,17 @@
 namespace collision_monitor {
 namespace {
 
-/// What a pair says, this far apart and closing this fast.
+/// What a pair says, this far apart and closing this fast. A speed that is not known tells no time.
 LeastOfPairs whatIsSaid(const CycleSetup& setup, const Limits& limits, double distance,
                         double closing_speed) noexcept {
   const StopRule& rule = setup.ahead.stop;
-  const double scale = std::isnan(closing_speed)
-                           ? scaleForUnknownSpeed(distance, limits.warning_distance, rule)
-                           : scaleForPair(distance, closing_speed, rule);
+  const bool is_known = !std::isnan(closing_speed);
   LeastOfPairs said;
   said.distance = distance;
-  said.time = timeToContact(distance - limits.contact_distance, closing_speed, setup.ahead.horizon);
-  said.scale = scale;
+  said.time = timeToContact(distance - limits.contact_distance, is_known ? closing_speed : 0.0,
+                            setup.ahead.horizon);
+  said.scale = is_known ? scaleForPair(distance, closing_speed, rule)
+                        : scaleForUnknownSpeed(distance, limits.warning_distance, rule);
   return said;
 }
 
