@@ -95,19 +95,29 @@ std::uint32_t startAtHulls(const PlacedElement& a, const PlacedElement& b,
          moveNear(meshOf(b), hulls.point_on_b, hulls.distance, memory, start.b);
 }
 
+/// Searches from the front or from the last triangles.
 /// @param hulls from measureHulls
-MeshDistance searchMeshes(const PlacedElement& a, const PlacedElement& b, const MeshDistance& hulls,
-                          ElementSearch& search) noexcept {
-  const bool are_hulls_apart = hulls.state == MeshState::lower_bound;
-  const double at_least = are_hulls_apart ? hulls.measured.distance : 0.0;
+MeshDistance searchFromLast(const PlacedElement& a, const PlacedElement& b,
+                            const MeshDistance& hulls, double at_least,
+                            ElementSearch& search) noexcept {
   if (search.memory.front != nullptr) {
     return searchFrom(*search.memory.front, a, b, at_least, search);
   }
-  const std::uint32_t visits = are_hulls_apart ? startAtHulls(a, b, hulls.measured, search) : 0;
+  const std::uint32_t visits = at_least > 0.0 ? startAtHulls(a, b, hulls.measured, search) : 0;
   TrianglePair& nearest = search.memory.nearest;
   MeshDistance found = searchFrom(nearest, a, b, at_least, search);
   found.visits += visits;
   nearest = found.nearest.a == kNone ? nearest : found.nearest;
+  return found;
+}
+
+/// @param hulls from measureHulls
+MeshDistance searchMeshes(const PlacedElement& a, const PlacedElement& b, const MeshDistance& hulls,
+                          ElementSearch& search) noexcept {
+  const double at_least = hulls.state == MeshState::lower_bound ? hulls.measured.distance : 0.0;
+  MeshDistance found = searchFromLast(a, b, hulls, at_least, search);
+  // What comes into an open mesh comes through the hulls first.
+  found.outside = std::max(found.outside, at_least);
   return found;
 }
 

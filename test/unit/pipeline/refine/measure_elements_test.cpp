@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "support/robots/geometry_setup.h"
@@ -62,6 +63,34 @@ TEST(MeasureElements, meshNearestWhereItsHullIs_measuredInAFewSteps) {
     } else {
       EXPECT_GT(found.measured.distance, 0.1 + 1e-6) << "the dent is before the box";
     }
+  }
+}
+
+// A tool of two fingers passes above the mouth of a box without its top.
+TEST(MeasureElements, beforeAnOpenMesh_outsideIsAtLeastTheDistanceOfTheHulls) {
+  TriangleMesh box = boxMesh(Eigen::Vector3d::Constant(0.5));
+  const auto isTop = [&](const auto& triangle) {
+    return std::all_of(triangle.begin(), triangle.end(),
+                       [&](auto vertex) { return box.vertices[vertex].z() > 0.0; });
+  };
+  box.triangles.erase(std::remove_if(box.triangles.begin(), box.triangles.end(), isTop),
+                      box.triangles.end());
+  const TriangleMesh finger = prismMesh(0.005, 0.01, 6);
+  const TriangleMesh tool =
+      joined(finger, moved(finger, Eigen::Vector3d::Zero(), {-0.03, 0.0, 0.0}));
+  const CycleSetup setup = geometrySetup({box, tool}, SetupOptions());
+  const auto scratch = std::make_unique<RefineScratch>();
+  const Pose world_from_a;
+  RefineStore memory({RefineKind::front});
+  for (int step = 0; step < 10; ++step) {
+    const double gap = 0.03;
+    Pose world_from_b;
+    world_from_b.translation = {0.3 - 0.002 * step, 0.0, 0.5 + 0.01 + gap};
+    ElementSearch search{10000, memory.of(0), *scratch};
+    const ElementDistance found = measureElements({setup.elements[0], world_from_a},
+                                                  {setup.elements[1], world_from_b}, search);
+    EXPECT_GT(found.measured.distance, gap);
+    EXPECT_GE(found.outside, gap - 1e-9) << step;
   }
 }
 
