@@ -47,8 +47,8 @@ void forgetNearest(DistanceCache& cache) noexcept;
 /// Resets `nearest_of_links`.
 void forgetNearestOfLinks(DistanceCache& cache) noexcept;
 
-/// Forgets all distances; travel stays, and so does `nearest_of_links`, which only says in what order
-/// to measure.
+/// Forgets all distances. Travel stays; so does `nearest_of_links`, which until measureDeferred
+/// only says what to measure first.
 void forgetDistances(DistanceCache& cache) noexcept;
 
 /// Adds up the travel of bodies, so that cached distances stay lower bounds. Forgets the cache if a

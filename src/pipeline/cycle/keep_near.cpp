@@ -42,8 +42,9 @@ bool isTask(const CycleSetup& setup, const RefineWork& refined, const PairDistan
   return refined.task_of[setup.element_pair_of[index(pair.pair)]] != kNone;
 }
 
-/// Of lone bodies, for distances from index `first` on. Where elements are refined, the least
-/// refined distance counts: those that were starved or skipped have only a lower bound.
+/// Finds the nearest lone bodies of each two links, among the distances from index `first` on.
+/// Where elements are refined, the least refined distance counts: those that were starved or
+/// skipped have only a lower bound.
 void findNearestOfLinks(const CycleSetup& setup, std::size_t first,
                         CycleBuffers& buffers) noexcept {
   DistanceCache& cache = buffers.memory.distance_cache;

@@ -102,8 +102,8 @@ struct NearBodies {
     return passesLone(pair) ? cache.nearest_of_links[pair.link_pair] : kInfinity;
   }
 
-  /// [m] Bodies at or below this distance matter even if nothing moves. Lone bodies that are
-  /// farther apart than their links do not, not even where pairs are refined or warned of.
+  /// [m] Bodies at or below this distance matter even if nothing moves. Of lone bodies, only the
+  /// nearest of their links do, even where pairs are refined or warned of.
   double atRest(const ElementsPlace& pair, double nearest) const noexcept {
     const double of_all =
         std::max(reaches.of_limits[pair.limits].near, std::min(heardOf(pair), nearest));
@@ -132,8 +132,8 @@ struct NearBodies {
   /// [m] As nearOf, by closingSpeed: what a scale or a time may follow from, and what may have
   /// touched since the last cycle. Where a verdict may follow from a time, bodies that are nearer
   /// than those that cause it still matter. Where a velocity is not known, there is no time, and
-  /// the nearest bodies have the lowest scale. It takes as long as a third of a measurement and
-  /// says little of bodies that are near for their size, so only lone bodies are asked.
+  /// the nearest bodies have the lowest scale. Only lone bodies are asked: this takes a third of
+  /// the time of a measurement, and says little of bodies that are near for their size.
   double byClosing(const ElementsPlace& pair, const Closing& closing) const noexcept;
 };
 

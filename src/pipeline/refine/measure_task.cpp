@@ -11,10 +11,12 @@ namespace {
 
 /// @param contact [m] contactOfElements: a bound at or below it does not exclude a contact.
 void takeOver(const ElementDistance& found, double contact, PairDistance& distance) noexcept {
-  const bool is_nearer = found.has_points ? !(found.measured.distance >= distance.measured.distance)
-                                          : !(found.measured.distance > distance.measured.distance);
+  constexpr double kRounding = 1e-9;  // [m] of a bound that was raised to this distance before
+  const double bound = distance.measured.distance;
+  const bool is_nearer = found.has_points ? !(found.measured.distance >= bound - kRounding)
+                                          : !(found.measured.distance > bound);
   // Shapes that overlap give the depth of one pair of shapes: it does not bound the elements'.
-  const bool is_depth = found.has_points && distance.measured.distance < 0.0;
+  const bool is_depth = found.has_points && bound < 0.0;
   if (found.quality == Quality::unknown ||
       (found.quality == Quality::lower_bound && is_nearer && !is_depth)) {
     return;  // the enclosing shapes give the better bound
@@ -23,6 +25,7 @@ void takeOver(const ElementDistance& found, double contact, PairDistance& distan
     distance.quality = found.quality;
     distance.measured = found.measured;
     distance.is_refined = true;
+    distance.is_raised = false;
   } else if (found.quality != Quality::lower_bound || found.measured.distance > contact) {
     distance.quality = found.quality;
     raiseBound(found.measured.distance, distance);

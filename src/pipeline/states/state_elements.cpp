@@ -145,8 +145,8 @@ bool matters(const StateSearch& state, const ElementsInState& pair,
   return mayBeNearer(state, pair, best) || pair.bound <= worseWithin(state, pair, best);
 }
 
-/// [m] A search for the distance of a pair may end here: no less is nearer than the best, or makes
-/// the verdict worse. A bound that ends the search is judged like a distance.
+/// [m] A search for the distance of a pair may end beyond this: there it is neither nearer than the
+/// best, nor makes the verdict worse. A bound that ends the search is judged like a distance.
 double cutoffOf(const StateSearch& state, const ElementsInState& pair,
                 const StateCheck& best) noexcept {
   constexpr double kNotTouching = 1e-3;
@@ -162,8 +162,8 @@ void take(const StateSearch& state, const ElementsInState& pair, StateCheck foun
   best = found.distance < best.distance ? found : best;
 }
 
-/// Measures a pair by the hulls of its geometries. @return whether they give the distance, which is
-/// then taken; else they may raise the bound
+/// Measures a pair by the hulls of its geometries. If they give the distance, it is taken; else
+/// they may raise the bound. @return whether it is taken
 bool takeByHulls(const StateSearch& state, ElementsInState& pair, StateCheck& best) noexcept {
   pair.is_raised = true;
   if (areConvex(state.setup, pair.elements)) {
@@ -236,7 +236,7 @@ void findNearest(const StateSearch& state, StateCheck& best) noexcept {
       continue;
     }
     if (state.setup.own_limits.empty() && !(pair.bound < best.distance)) {
-      return;  // as little do all that are left
+      return;  // nor is any that is left
     }
     if (!matters(state, pair, best)) {
       --end;
