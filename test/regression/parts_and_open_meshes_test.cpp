@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -30,14 +29,7 @@ CollisionElement partAt(const Geometry& geometry, const Eigen::Vector3d& place) 
 
 /// A box of 1 m without its top, which is at height 0.
 CollisionElement openBox() {
-  TriangleMesh mesh = boxMesh(Eigen::Vector3d::Constant(0.5));
-  const auto isTop = [&](const auto& triangle) {
-    return std::all_of(triangle.begin(), triangle.end(),
-                       [&](auto vertex) { return mesh.vertices[vertex].z() > 0.0; });
-  };
-  mesh.triangles.erase(std::remove_if(mesh.triangles.begin(), mesh.triangles.end(), isTop),
-                       mesh.triangles.end());
-  return partAt(mesh, {0.0, 0.0, -0.5});
+  return partAt(openBoxMesh(Eigen::Vector3d::Constant(0.5)), {0.0, 0.0, -0.5});
 }
 
 CycleSetup partsSetup(const Links& links, double padding) {

@@ -3,6 +3,7 @@
 #include "support/sample_meshes.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -29,6 +30,17 @@ TriangleMesh boxMesh(const Eigen::Vector3d& half_extents) {
 
 TriangleMesh boxMeshAt(const Eigen::Vector3d& half_extents, const Eigen::Vector3d& center) {
   return moved(boxMesh(half_extents), Eigen::Vector3d::Zero(), center);
+}
+
+TriangleMesh openBoxMesh(const Eigen::Vector3d& half_extents) {
+  TriangleMesh mesh = boxMesh(half_extents);
+  const auto isTop = [&](const auto& triangle) {
+    return std::all_of(triangle.begin(), triangle.end(),
+                       [&](auto vertex) { return mesh.vertices[vertex].z() > 0.0; });
+  };
+  mesh.triangles.erase(std::remove_if(mesh.triangles.begin(), mesh.triangles.end(), isTop),
+                       mesh.triangles.end());
+  return mesh;
 }
 
 TriangleMesh prismMesh(double radius, double half_length, int sides) {

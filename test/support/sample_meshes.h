@@ -13,6 +13,9 @@ TriangleMesh boxMesh(const Eigen::Vector3d& half_extents);
 /// As above, about another center.
 TriangleMesh boxMeshAt(const Eigen::Vector3d& half_extents, const Eigen::Vector3d& center);
 
+/// As boxMesh, without its top.
+TriangleMesh openBoxMesh(const Eigen::Vector3d& half_extents);
+
 /// A closed tube around z. Each rim has `sides` corners, which lie on the circle.
 TriangleMesh prismMesh(double radius, double half_length, int sides);
 

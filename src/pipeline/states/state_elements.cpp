@@ -183,6 +183,15 @@ bool takeByHulls(const StateSearch& state, ElementsInState& pair, StateCheck& be
   return found.quality == Quality::exact;
 }
 
+/// Measures a pair by hulls, or the next time by its geometries. @return whether it is measured
+bool takeNext(const StateSearch& state, ElementsInState& pair, StateCheck& best) noexcept {
+  if (!pair.is_raised) {
+    return takeByHulls(state, pair, best);
+  }
+  take(state, pair, measure(state, pair, cutoffOf(state, pair, best)), best);
+  return true;
+}
+
 /// For heaps, whose first is the largest.
 bool isFarther(const ElementsInState& one, const ElementsInState& other) noexcept {
   return std::tie(other.bound, other.elements) < std::tie(one.bound, one.elements);
@@ -238,12 +247,7 @@ void findNearest(const StateSearch& state, StateCheck& best) noexcept {
     if (state.setup.own_limits.empty() && !(pair.bound < best.distance)) {
       return;  // nor is any that is left
     }
-    if (!matters(state, pair, best)) {
-      --end;
-    } else if (pair.is_raised) {
-      take(state, pair, measure(state, pair, cutoffOf(state, pair, best)), best);
-      --end;
-    } else if (takeByHulls(state, pair, best)) {
+    if (!matters(state, pair, best) || takeNext(state, pair, best)) {
       --end;
     } else {
       std::push_heap(pairs.begin(), end, isFarther);

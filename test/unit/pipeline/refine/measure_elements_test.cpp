@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <memory>
 
 #include "support/robots/geometry_setup.h"
@@ -68,17 +67,11 @@ TEST(MeasureElements, meshNearestWhereItsHullIs_measuredInAFewSteps) {
 
 // A tool of two fingers passes above the mouth of a box without its top.
 TEST(MeasureElements, beforeAnOpenMesh_outsideIsAtLeastTheDistanceOfTheHulls) {
-  TriangleMesh box = boxMesh(Eigen::Vector3d::Constant(0.5));
-  const auto isTop = [&](const auto& triangle) {
-    return std::all_of(triangle.begin(), triangle.end(),
-                       [&](auto vertex) { return box.vertices[vertex].z() > 0.0; });
-  };
-  box.triangles.erase(std::remove_if(box.triangles.begin(), box.triangles.end(), isTop),
-                      box.triangles.end());
   const TriangleMesh finger = prismMesh(0.005, 0.01, 6);
   const TriangleMesh tool =
       joined(finger, moved(finger, Eigen::Vector3d::Zero(), {-0.03, 0.0, 0.0}));
-  const CycleSetup setup = geometrySetup({box, tool}, SetupOptions());
+  const CycleSetup setup =
+      geometrySetup({openBoxMesh(Eigen::Vector3d::Constant(0.5)), tool}, SetupOptions());
   const auto scratch = std::make_unique<RefineScratch>();
   const Pose world_from_a;
   RefineStore memory({RefineKind::front});
