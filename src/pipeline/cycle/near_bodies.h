@@ -80,7 +80,8 @@ struct NearBodies {
   }
 
   /// Whether bodies this far apart do not matter.
-  /// @param nearest [m] bodies of their elements that are as near as this do not make them matter
+  /// @param nearest [m] the distance of the nearest bodies of their elements: no farther ones are
+  /// told
   bool isFar(const ElementsPlace& pair, double nearest, double distance) const noexcept {
     return distance > atRest(pair, nearest) && !closes(pair, distance);
   }
@@ -96,8 +97,8 @@ struct NearBodies {
     return robots.passes_lone && areLone(cache, pair);
   }
 
-  /// [m] Lone bodies that are farther are not the nearest of their links; before measureDeferred,
-  /// they were not in the last cycle. Infinite for others.
+  /// [m] How far apart the nearest lone bodies of their links are; before measureDeferred, how far
+  /// they were in the last cycle. Infinite for other bodies.
   double nearestOfLone(const ElementsPlace& pair) const noexcept {
     return passesLone(pair) ? cache.nearest_of_links[pair.link_pair] : kInfinity;
   }
@@ -118,7 +119,7 @@ struct NearBodies {
     bool is_known;
     Twist b_from_a;
     double time;    ///< [s] ahead
-    double judged;  ///< [m] how far the links may close while that decides a verdict
+    double judged;  ///< [m] how far the links may close within contact_time or warning_time
   };
   Closing closingOf(const ElementsPlace& pair) const noexcept;
 
