@@ -132,9 +132,10 @@ struct NearBodies {
 
   /// [m] As nearOf, by closingSpeed: what a scale or a time may follow from, and what may have
   /// touched since the last cycle. Where a verdict may follow from a time, bodies that are nearer
-  /// than those that cause it still matter. Where a velocity is not known, there is no time, and
-  /// the nearest bodies have the lowest scale. Only lone bodies are asked: this takes a third of
-  /// the time of a measurement, and says little of bodies that are near for their size.
+  /// than those that cause it still matter. Where a velocity is not known, there is no time: the
+  /// scale is 0 within the stop distance, and beyond it the nearest bodies ask for the lowest.
+  /// Only lone bodies are asked: this takes a third of the time of a measurement, and says little
+  /// of bodies that are near for their size.
   double byClosing(const ElementsPlace& pair, const Closing& closing) const noexcept;
 };
 
@@ -157,7 +158,7 @@ inline double NearBodies::byClosing(const ElementsPlace& pair,
   const double came =
       std::max(reach.contact, 0.0) + body_travel[index(pair.a)] + body_travel[index(pair.b)];
   if (!closing.is_known) {
-    return came;
+    return std::max(reach.stop, came);
   }
   const double speed = closingSpeed(pair, closing);
   const double asked = reach.stop + closing.time * std::max(speed, 0.0) + kRounding;

@@ -80,6 +80,26 @@ TEST_F(TwoParts, firstCycleAfterLearning_measuresNearestBodiesAlone) {
   EXPECT_EQ(buffers_.counters.measured, 1U);
 }
 
+/// A ball at rest is nearer than two of a link whose velocity is not known.
+TEST(PartsThatStop, fartherThanTheyWarn_keepTheSpeedScaleWhileNobodyListens) {
+  const Pose farther{Eigen::Matrix3d::Identity(), {0.05, 0.0, 0.0}};
+  CycleSetup setup = handMadeSetup(
+      {{0, Sphere{0.1}}, {1, Sphere{0.1}}, {1, Sphere{0.1}, farther}, {2, Sphere{0.1}}});
+  setup.ahead.stop.stop_distance = 0.15;
+  setup.refine.distance = 0.0;
+  CycleBuffers buffers = makeBuffers(setup, BroadPhaseKind::brute_force);
+  buffers.refine.tells_all = false;
+  LinkPoses poses = knownPoses(setup);
+  poses.velocities.known = {1, 0, 1};
+  poses.world_from_link[1].translation.x() = 0.3;
+  poses.world_from_link[2].translation.x() = -0.22;
+  for (int cycle = 0; cycle < 6; ++cycle) {
+    poses.stamp_ns += 1'000'000'000;
+    runCycle(setup, poses, buffers);
+    EXPECT_EQ(buffers.memory.speed.scale, 0.0) << cycle;
+  }
+}
+
 /// One link turns about a part that stays near the other link; its far part passes that link's.
 TEST(PartsThatPass, whileVelocitiesAreNotKnown_wereInContact) {
   const Pose far{Eigen::Matrix3d::Identity(), {0.0, 2.0, 0.0}};
