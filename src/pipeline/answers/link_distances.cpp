@@ -15,7 +15,7 @@ namespace {
 void findNearest(const CycleSetup& setup, LinkDistances& links) noexcept {
   std::fill(links.nearest.begin(), links.nearest.end(), kNone);
   std::fill(links.estimated.begin(), links.estimated.end(), kNone);
-  const auto& measured = links.distances.pairs;
+  auto& measured = links.distances.pairs;
   const auto improve = [&](std::uint32_t one, std::uint32_t& best) {
     if (best == kNone || measured[one].measured.distance < measured[best].measured.distance) {
       best = one;
@@ -32,8 +32,9 @@ void findNearest(const CycleSetup& setup, LinkDistances& links) noexcept {
     const std::uint32_t link_pair = setup.link_pair_of[index(one.pair)];
     const std::uint32_t estimated = links.estimated[link_pair];
     std::uint32_t& nearest = links.nearest[link_pair];
-    if (estimated != kNone && measured[nearest].quality == Quality::lower_bound) {
-      nearest = estimated;
+    if (estimated != kNone) {
+      nearest = measured[nearest].quality == Quality::lower_bound ? estimated : nearest;
+      measured[nearest].quality = Quality::estimate;
     }
   }
 }

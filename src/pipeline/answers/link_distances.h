@@ -19,7 +19,8 @@ struct LinkDistances {
   std::vector<PairId> candidates;  ///< the pairs to measure, sorted
   PairDistances distances;
   /// By LinkPairIndex: index into distances.pairs of the nearest shapes, or kNone if none were
-  /// measured. A certain contact precedes a deeper bound.
+  /// measured. As in a cycle, an estimate counts before a deeper lower bound, and makes a deeper
+  /// exact distance an estimate.
   std::vector<std::uint32_t> nearest;
   std::vector<std::uint32_t> estimated;  ///< by LinkPairIndex: as PairEvents::estimated
   RefineWork refine;

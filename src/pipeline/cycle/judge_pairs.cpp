@@ -96,14 +96,16 @@ bool findClosestAndSoonest(const CycleSetup& setup, const PairDistances& distanc
   return has_unknown;
 }
 
-/// A certain contact represents its link pair even if a lower bound is deeper.
-void preferEstimate(const PairDistances& distances, std::size_t link_pair,
-                    PairEvents& events) noexcept {
+/// A certain contact represents its link pair even if a lower bound is deeper. Beside it, an exact
+/// depth of other elements is an estimate of the links.
+void preferEstimate(std::size_t link_pair, PairDistances& distances, PairEvents& events) noexcept {
   std::uint32_t& closest = events.closest[link_pair];
-  if (events.estimated[link_pair] != kNone &&
-      distances.pairs[closest].quality == Quality::lower_bound) {
-    closest = events.estimated[link_pair];
+  const std::uint32_t estimated = events.estimated[link_pair];
+  if (estimated == kNone) {
+    return;
   }
+  closest = distances.pairs[closest].quality == Quality::lower_bound ? estimated : closest;
+  distances.pairs[closest].quality = Quality::estimate;
 }
 
 /// Searches again if an estimate has replaced the closest pair.
@@ -241,8 +243,8 @@ void forgetTold(PairEvents& events) noexcept {
 }
 
 void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
-                const LinkVelocities& velocities, const PairDistances& distances,
-                PairMemory& memory, PairEvents& events) noexcept {
+                const LinkVelocities& velocities, PairDistances& distances, PairMemory& memory,
+                PairEvents& events) noexcept {
   listActive(setup, distances, memory, events);
   bool has_unknown = findClosestAndSoonest(setup, distances, events);
   findPassed(setup, distances, events);
@@ -256,7 +258,7 @@ void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
       events.overall = std::max(events.overall, Verdict::warning);
       continue;
     }
-    preferEstimate(distances, i, events);
+    preferEstimate(i, distances, events);
     const CheckedLinkPair& pair = setup.checked[i];
     const bool is_joined = isJoined(body_poses, pair.a, pair.b);
     events.unjoined += memory.judges_all && !is_joined ? 1 : 0;

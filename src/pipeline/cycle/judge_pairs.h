@@ -11,10 +11,11 @@ namespace collision_monitor {
 /// and left only `hysteresis` beyond it.
 Verdict verdictFor(double distance, double time, const Limits& limits, Verdict before) noexcept;
 
-/// Judges the pairs that have a distance or are lively, or all if `memory.judges_all`.
+/// Judges the pairs that have a distance or are lively, or all if `memory.judges_all`. The closest
+/// distance of links that overlap by an estimate becomes an estimate, too.
 void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
-                const LinkVelocities& velocities, const PairDistances& distances,
-                PairMemory& memory, PairEvents& events) noexcept;
+                const LinkVelocities& velocities, PairDistances& distances, PairMemory& memory,
+                PairEvents& events) noexcept;
 
 /// Forgets which pairs were looked at, and what was told of them besides their verdicts.
 void forgetTold(PairEvents& events) noexcept;
