@@ -28,15 +28,15 @@ bool hasOneVariable(const Joint& joint) {
 }
 
 std::string unknownJoint(const RobotModel& model, const std::string& name) {
-  std::vector<std::string> known;
+  std::vector<std::string> accepted;
   for (const Joint& joint : model.joints) {
-    if (joint.type != JointType::fixed) {
-      known.push_back(joint.name);
+    if (hasOneVariable(joint) && !joint.mimic) {
+      accepted.push_back(joint.name);
     }
   }
-  const std::string similar = suggestion(name, known);
+  const std::string similar = suggestion(name, accepted);
   return "there is no joint " + quoted(name) +
-         (similar.empty() ? "; accepted: " + someOf(known) : similar);
+         (similar.empty() && !accepted.empty() ? "; accepted: " + someOf(accepted) : similar);
 }
 
 /// Number of occurrences of each name in a request.

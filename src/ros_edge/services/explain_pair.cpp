@@ -6,15 +6,14 @@
 #include <cmath>
 #include <tuple>
 
-#include "model/nearest_name.h"
 #include "model/number_text.h"
 #include "model/object_links.h"
-#include "model/place.h"
 #include "model/rules/rigid_groups.h"
 #include "pipeline/answers/link_distances.h"
 #include "pipeline/answers/pair_reason.h"
 #include "ros_edge/outputs/conversions.h"
 #include "ros_edge/outputs/sentences.h"
+#include "ros_edge/services/no_such_link.h"
 
 namespace collision_monitor {
 namespace {
@@ -24,14 +23,7 @@ std::optional<LinkId> findLink(const RobotModel& model, const char* field, const
                                std::vector<std::string>& faults) {
   const std::optional<LinkId> link = model.findLink(name);
   if (!link) {
-    std::vector<std::string> known;
-    for (const Link& one : model.links) {
-      if (hasShapes(one)) {
-        known.push_back(one.name);
-      }
-    }
-    faults.push_back(std::string(field) + ": there is no link " + quoted(name) +
-                     suggestion(name, known));
+    faults.push_back(noSuchLink(model, field, name));
   } else if (!hasShapes(model.link(*link))) {
     faults.push_back(std::string(field) + ": link '" + name +
                      "' has no collision geometry, so it is in no pair");

@@ -12,7 +12,6 @@
 
 #include "collision_monitor/geometry/ids.h"
 #include "model/few_texts.h"
-#include "model/nearest_name.h"
 #include "model/object_links.h"
 #include "model/place.h"
 #include "pipeline/answers/link_distances.h"
@@ -22,14 +21,10 @@
 #include "ros_edge/poses/floating_parts.h"
 #include "ros_edge/robots/missing.h"
 #include "ros_edge/services/ignored_pairs.h"
+#include "ros_edge/services/no_such_link.h"
 
 namespace collision_monitor {
 namespace {
-
-std::string noSuchLink(const char* field, const std::string& name,
-                       const std::vector<std::string>& known) {
-  return std::string(field) + ": there is no link " + quoted(name) + suggestion(name, known);
-}
 
 std::string nothingToMeasure(const char* field, const std::string& name) {
   return std::string(field) + ": link '" + name + "' has no collision geometry; leave it out";
@@ -39,17 +34,13 @@ LinkSet findLinks(const CycleSetup& setup, const std::vector<std::string>& names
                   std::vector<std::string>& faults) {
   const RobotModel& model = setup.model;
   LinkSet links(model.links.size(), names.empty() ? 1 : 0);
-  std::vector<std::string> known;
-  for (const Link& link : model.links) {
-    known.push_back(link.name);
-  }
   FewTexts found;
   std::unordered_set<std::string_view> unknown;
   for (const std::string& name : names) {
     const auto link = model.findLink(name);
     if (!link) {
       if (unknown.insert(name).second) {
-        found.add([&] { return noSuchLink(field, name, known); });
+        found.add([&] { return noSuchLink(model, field, name); });
       }
     } else if (!hasShapes(model.link(*link))) {
       found.add([&] { return nothingToMeasure(field, name); });

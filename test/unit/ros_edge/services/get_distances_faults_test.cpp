@@ -42,6 +42,19 @@ TEST_F(GetDistancesFaults, everyFaultIsNamed) {
   }
 }
 
+TEST_F(GetDistancesFaults, unknownNames_areAnsweredWithThoseThatAreAccepted) {
+  request_.links_a = {"antena"};  // like a link without shapes
+  move("nothing", 0.0);
+  const std::string message = ask().message;
+  EXPECT_EQ(message.find("did you mean"), std::string::npos) << message;
+  EXPECT_NE(message.find("links_a: there is no link 'antena'; accepted: "), std::string::npos)
+      << message;
+  EXPECT_NE(message.find("there is no joint 'nothing'; accepted: "), std::string::npos) << message;
+  for (const char* refused : {"antenna", "mast", "follow"}) {
+    EXPECT_EQ(message.find(refused), std::string::npos) << refused << " in " << message;
+  }
+}
+
 TEST_F(GetDistancesFaults, positionBeyondSense_isRefused) {
   move("reach", 1e155);  // the square of which is infinite
   EXPECT_FALSE(ask().success);
