@@ -54,7 +54,9 @@ void lookUp(const NearBodies& near, const RefineWork& refined, ListedGroup& grou
   group.at_rest = reach.near;
   group.stop = reach.stop;
   group.nearest = group.is_of_lone ? kInfinity : near.cache.nearest[place.elements] + step;
-  group.told = near.atRest(place, group.nearest);
+  group.told = near.seeksAmong(place.link_pair)
+                   ? std::max(reach.near, std::min(reach.all, group.nearest))
+                   : near.atRest(place, group.nearest);
   group.is_measured = refined.is_measured[place.elements] != 0;
   group.least_gap = kInfinity;
   group.has_near = false;
@@ -66,8 +68,9 @@ void passGroups(const NearBodies& near, SettledPairs& settled, CycleBuffers& buf
   for (ListedGroup& group : cache.groups) {
     const ElementsPlace& place = group.place;
     group.travel = travelOfLinks(cache, place);
-    const bool is_far =
-        group.gap - group.travel > std::max(near.byLinks(place), near.heardOf(place));
+    const double told = near.seeksAmong(place.link_pair) ? near.reaches.of_limits[place.limits].all
+                                                         : near.heardOf(place);
+    const bool is_far = group.gap - group.travel > std::max(near.byLinks(place), told);
     group.is_passed = is_far || (!group.is_of_lone && settled.passOver(place));
     if (!group.is_passed) {
       lookUp(near, buffers.refine, group);
@@ -197,13 +200,13 @@ void cullByBoxes(const CycleSetup& setup, const NearBodies& near, CycleBuffers& 
   keepUnless(isFar, buffers.candidates);
 }
 
-/// Decides whether lone bodies are passed over by how they close. Then it is not seen whether all
-/// of them part or rest, as a scale that jumps to 1 takes.
+/// Decides which lone bodies are passed over by how they close. A scale that jumps to 1 takes that
+/// none closes, and none rests near.
 void passLone(CycleBuffers& buffers) noexcept {
-  const std::vector<unsigned char>& may_be_free = buffers.robots.may_be_free;
-  buffers.robots.passes_lone =
-      buffers.memory.distance_cache.has_lone &&
-      std::find(may_be_free.begin(), may_be_free.end(), 1) == may_be_free.end();
+  RobotSpeeds& robots = buffers.robots;
+  robots.passes_lone = buffers.memory.distance_cache.has_lone;
+  robots.seeks_closing = std::find(robots.may_be_free.begin(), robots.may_be_free.end(), 1) !=
+                         robots.may_be_free.end();
 }
 
 /// Passes over lone bodies of elements that are settled.

@@ -60,10 +60,11 @@ struct NearBodies {
   }
 
   /// [m] At or below this distance somebody may be told how near the links are: up to all that is
-  /// reported where a warning or contact may end.
+  /// reported where a warning or contact may end, and of RobotSpeeds::closing.
   double heardOf(const ElementsPlace& pair) const noexcept {
     const bool is_clear = reported[pair.link_pair] == Verdict::clear;
-    return is_clear ? toldOf(pair) : reaches.of_limits[pair.limits].all;
+    return is_clear && pair.elements != robots.closing ? toldOf(pair)
+                                                       : reaches.of_limits[pair.limits].all;
   }
 
   /// [m] As heardOf, of pairs whose verdict does not change.
@@ -92,9 +93,21 @@ struct NearBodies {
            !(passesLone(pair) && distance > byClosing(pair, closingOf(pair)));
   }
 
-  /// Whether lone bodies are passed over by how they close.
+  /// Whether bodies are lone and are passed over by how they close.
   bool passesLone(const ElementsPlace& pair) const noexcept {
-    return robots.passes_lone && areLone(cache, pair);
+    return robots.passes_lone && areLone(cache, pair) && !isSought(pair);
+  }
+
+  /// Whether lone bodies matter as all others do, since a speed scale does not jump while they
+  /// close or rest.
+  bool isSought(const ElementsPlace& pair) const noexcept {
+    return pair.elements == robots.closing || (robots.seeks_closing && !parts(pair));
+  }
+
+  /// Whether some bodies of these links may be sought, lone or not.
+  bool seeksAmong(LinkPairIndex links) const noexcept {
+    return robots.seeks_closing ||
+           (robots.closing != kNone && setup.element_pairs[robots.closing].link_pair == links);
   }
 
   /// [m] How far apart the nearest lone bodies of their links are; before measureDeferred, how far
@@ -128,6 +141,12 @@ struct NearBodies {
     return closing.is_known
                ? closingBound(balls[index(pair.a)], balls[index(pair.b)], closing.b_from_a)
                : kInfinity;
+  }
+
+  /// Whether bodies part, faster than what counts as resting.
+  bool parts(const ElementsPlace& pair) const noexcept {
+    constexpr double kRounding = 1e-9;
+    return closingSpeed(pair, closingOf(pair)) < -setup.ahead.stop.rest_speed - kRounding;
   }
 
   /// [m] As nearOf, by closingSpeed: what a scale or a time may follow from, and what may have

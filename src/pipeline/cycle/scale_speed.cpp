@@ -87,14 +87,13 @@ class Demands {
                   : releasedScale(scale, demand.scale, duration, setup_.ahead.stop);
       return may_be_free;
     };
+    const bool sees_lone = !robots_.passes_lone || robots_.seeks_closing;
     const bool see_all =
-        !robots_.passes_lone &&
-        std::all_of(robots_.expected.begin(), robots_.expected.end(), expectsNothing);
+        sees_lone && std::all_of(robots_.expected.begin(), robots_.expected.end(), expectsNothing);
     const bool may_all_be_free = follow(all_, see_all, scale_of_all);
     for (std::size_t i = 0; i < robots_.demands.size(); ++i) {
-      const bool may_be_free =
-          follow(robots_.demands[i], !robots_.passes_lone && expectsNothing(robots_.expected[i]),
-                 robots_.scales[i]);
+      const bool may_be_free = follow(
+          robots_.demands[i], sees_lone && expectsNothing(robots_.expected[i]), robots_.scales[i]);
       robots_.may_be_free[i] = may_be_free || may_all_be_free ? 1 : 0;
     }
   }
@@ -106,6 +105,19 @@ class Demands {
   RobotSpeeds& robots_;
   SpeedDemand all_;
 };
+
+/// Notes which elements close fastest.
+void noteClosing(const CycleSetup& setup, const PairDistances& distances,
+                 RobotSpeeds& robots) noexcept {
+  double fastest = setup.ahead.stop.rest_speed;
+  robots.closing = kNone;
+  for (const PairDistance& distance : distances.pairs) {
+    if (distance.closing_speed > fastest) {
+      fastest = distance.closing_speed;
+      robots.closing = setup.element_pair_of[index(distance.pair)];
+    }
+  }
+}
 
 /// Notes between which robots pairs are unknown. Which are changes only where all are judged, or
 /// where a distance is not a number.
@@ -187,8 +199,14 @@ void scaleSpeed(const CycleSetup& setup, std::int64_t stamp_ns, const PairDistan
     }
     speed.stopped[i] = closes ? kWasStopped : rests ? stops : 0;
   }
+  if (robots.seeks_closing) {
+    noteClosing(setup, distances, robots);
+  }
   demands.release(1e-9 * static_cast<double>(stamp_ns - speed.stamp_ns), speed.scale);
   speed.stamp_ns = stamp_ns;
+  if (speed.scale >= 1.0) {
+    robots.closing = kNone;
+  }
 }
 
 }  // namespace collision_monitor

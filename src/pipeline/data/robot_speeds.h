@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "collision_monitor/model/robot_model.h"
+#include "collision_monitor/pipeline/element.h"
 
 namespace collision_monitor {
 
@@ -56,9 +57,14 @@ struct RobotSpeeds {
   /// Without expectations all pairs are looked at, as where somebody listens to all distances.
   std::vector<LeastOfPairs> expected;
   std::vector<Watched> watched;  ///< what follows from `expected`
-  /// The scale may jump to 1, but pairs were passed over: the next cycle looks at all.
+  /// The scale may jump to 1, but pairs were passed over: the next cycle seeks what closes.
   std::vector<unsigned char> may_be_free;
-  bool passes_lone{false};  ///< lone bodies were passed over by how they close
+  bool passes_lone{false};  ///< lone bodies are passed over by how they close
+  /// A scale may jump to 1: nothing is passed over that may close or rest.
+  bool seeks_closing{false};
+  /// The elements that closed fastest when such were last sought; kNone: none since a scale is 1.
+  /// They are not passed over: while they close, no scale jumps, and none need be sought.
+  ElementPairIndex closing{kNone};
   /// By robot * number of scales + robot: kHasUnknown, kHasLost, of pairs between them.
   std::vector<unsigned char> has_unknown;
   std::uint64_t noted{0};  ///< PairEvents::complete_judgements that `has_unknown` follows

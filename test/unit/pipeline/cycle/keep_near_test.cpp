@@ -100,6 +100,59 @@ TEST(PartsThatStop, fartherThanTheyWarn_keepTheSpeedScaleWhileNobodyListens) {
   }
 }
 
+/// Two links of two parts each: the nearest parts, and 200 m along y two that are 4 cm apart.
+class PartsThatTurn : public testing::TestWithParam<bool> {
+ protected:
+  PartsThatTurn() {
+    buffers_.refine.tells_all = GetParam();
+    poses_.world_from_link[1].translation.x() = 0.23;
+    poses_.velocities.known = {1, 1};
+  }
+  /// The velocities of the second link's parts along x: the scale after a cycle 1 ms later.
+  double scaleAfter(double of_nearest, double of_other) {
+    poses_.stamp_ns += 1'000'000;
+    poses_.velocities.of_link[1].linear.x() = of_nearest;
+    poses_.velocities.of_link[1].angular.z() = (of_nearest - of_other) / 200.0;
+    runCycle(setup_, poses_, buffers_);
+    sought_ += buffers_.robots.seeks_closing ? 1 : 0;
+    return buffers_.memory.speed.scale;
+  }
+  /// As scaleAfter, but by a little more.
+  double stepOfScale(double of_nearest, double of_other) {
+    const double before = buffers_.memory.speed.scale;
+    return scaleAfter(of_nearest, of_other) - before;
+  }
+
+  static Pose at(double x, double y) { return {Eigen::Matrix3d::Identity(), {x, y, 0.0}}; }
+  CycleSetup setup_ = handMadeSetup({{0, Sphere{0.1}},
+                                     {0, Sphere{0.1}, at(0.0, 200.0)},
+                                     {1, Sphere{0.1}},
+                                     {1, Sphere{0.1}, at(0.01, 200.0)}});
+  CycleBuffers buffers_ = makeBuffers(setup_, BroadPhaseKind::brute_force);
+  LinkPoses poses_ = knownPoses(setup_);
+  int sought_{0};  ///< cycles that looked at all parts that may close
+};
+
+TEST_P(PartsThatTurn, whileAFartherPartCloses_scaleGrowsSlowlyAndItAloneIsWatched) {
+  const double slowed = scaleAfter(-0.5, -0.5);
+  ASSERT_LT(slowed, 0.5);
+  for (int cycle = 0; cycle < 20; ++cycle) {
+    EXPECT_LT(stepOfScale(0.1, -0.002), 0.01) << cycle;
+  }
+  EXPECT_EQ(sought_, 1);
+  scaleAfter(0.1, 0.1);
+  EXPECT_EQ(scaleAfter(0.1, 0.1), 1.0) << "one cycle later: then all are known to part";
+}
+
+TEST_P(PartsThatTurn, whileAFartherPartRestsNear_scaleGrowsSlowly) {
+  scaleAfter(-0.5, -0.5);
+  for (int cycle = 0; cycle < 20; ++cycle) {
+    EXPECT_LT(stepOfScale(0.1, 0.0), 0.01) << cycle;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(ToldOrNot, PartsThatTurn, testing::Bool());
+
 /// One link turns about a part that stays near the other link; its far part passes that link's.
 TEST(PartsThatPass, whileVelocitiesAreNotKnown_wereInContact) {
   const Pose far{Eigen::Matrix3d::Identity(), {0.0, 2.0, 0.0}};
