@@ -7,9 +7,9 @@
 #include "collision_monitor/geometry/ids.h"
 #include "pipeline/answers/link_distances.h"
 #include "pipeline/cycle/run_cycle.h"
+#include "support/query_meshes.h"
 #include "support/robots/geometry_setup.h"
 #include "support/robots/hand_made_setup.h"
-#include "support/query_meshes.h"
 
 // Two elements of two links overlapped by an exact 20 mm, and a box of 0.1 m stood in the middle of
 // a mesh beside them. The depth of the links was told as exactly 20 mm.

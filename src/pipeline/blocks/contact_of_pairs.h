@@ -8,14 +8,15 @@
 
 namespace collision_monitor {
 
-/// [m] At or below this distance elements are in contact. Overlapping concave elements are in
-/// contact at any depth, since their depth is an estimate.
+/// [m] At or below this distance elements are in contact. Overlapping concave geometries are in
+/// contact at any depth, since their depth is an estimate; where only their padding overlaps, its
+/// depth is known.
 inline double contactOfElements(const CycleSetup& setup, ElementPairIndex pair) noexcept {
   const ElementPair& elements = setup.element_pairs[pair];
+  const Element& a = setup.elements[index(elements.a)];
+  const Element& b = setup.elements[index(elements.b)];
   const double contact = limitsOf(setup, elements.link_pair).contact_distance;
-  const bool are_convex =
-      setup.elements[index(elements.a)].convex && setup.elements[index(elements.b)].convex;
-  return are_convex ? contact : std::max(0.0, contact);
+  return a.convex && b.convex ? contact : std::max(-(a.padding + b.padding), contact);
 }
 
 /// [m] At or below this distance bodies may represent a contact of their elements.

@@ -168,7 +168,7 @@ ElementContact touchElements(const PlacedElement& a, const PlacedElement& b,
   if (a.element.convex && b.element.convex) {
     return touchConvex(a, b, goal.distance + paddings, goal.is_measured_next, search);
   }
-  return touchConcave(a, b, goal, std::max(goal.distance, 0.0) + paddings, search);
+  return touchConcave(a, b, goal, std::max(goal.distance + paddings, 0.0), search);
 }
 
 }  // namespace collision_monitor

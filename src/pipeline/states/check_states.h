@@ -161,8 +161,8 @@ void checkStates(const CycleSetup& setup, const JointPositions& positions, State
                  StatesWork& work, std::vector<StateCheck>& checks);
 
 /// As checkStates, but geometries decide where enclosing shapes that are not the geometry are
-/// within the warning distance. Verdicts are those of a cycle without a budget, but that an overlap
-/// whose depth is only bounded is a contact however much depth a contact_distance below 0 allows.
+/// within the warning distance. Verdicts are those of a cycle without a budget. One differs: an
+/// overlap whose depth is only bounded is a contact, even if contact_distance allows some depth.
 ///
 /// Each question takes the cheapest search that answers it. A contact test needs no distance, and
 /// overlaps get no depth: their distance is 0 or that of inner shapes, of Quality::estimate.

@@ -38,10 +38,10 @@ struct TrajectoryReport {
 /// between these (boundMotion), bound their distance in the whole part. A part that this does not
 /// settle is halved. Measures balls, enclosing shapes, hulls and geometries, in this order, and
 /// stops when the part is settled. Before meshes are measured, and before the part is halved, it is
-/// tried to prove that the geometries stay apart in all of it (settleMoving). Between way-points,
-/// links with one mesh each skip enclosing shapes. These are measured at several way-points at once
-/// if there are many. Geometries of possible near misses are first measured where the shapes are
-/// nearest, so that fewer are measured later. Far pairs, and pairs that were close before, are
+/// tried to prove that the geometries stay apart in all of it (settleMoving). Enclosing
+/// shapes are measured at several way-points at once if these are many; between way-points, not for
+/// links with one mesh each. Geometries of possible near misses are first measured where the shapes
+/// are nearest, so that fewer are measured later. Far pairs, and pairs that were close before, are
 /// settled over several segments.
 ///
 /// Error: at the `time` of a contact the distance is within `tolerance` of contact_distance, and it

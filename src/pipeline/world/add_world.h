@@ -26,7 +26,7 @@ CycleSetup withoutPairs(const CycleSetup& robots);
 ///
 /// Pairs: every object with every link that has shapes, except its touch links, and of an attached
 /// object its link and the links rigidly joined to it. An attached object with every other object,
-/// except those that move with it. Two objects that are not attached never.
+/// except those that move with it. Two objects that are not attached form no pair.
 ///
 /// Errors: more pairs than memory has room for, which is found before anything is made of them.
 /// @param world_frame of objects without frame
