@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "pipeline/cycle/judge_pairs.h"
 #include "pipeline/cycle/measure_pairs.h"
 #include "pipeline/cycle/place_bodies.h"
 
@@ -30,12 +31,7 @@ void findNearest(const CycleSetup& setup, LinkDistances& links) noexcept {
   }
   for (const PairDistance& one : measured) {
     const std::uint32_t link_pair = setup.link_pair_of[index(one.pair)];
-    const std::uint32_t estimated = links.estimated[link_pair];
-    std::uint32_t& nearest = links.nearest[link_pair];
-    if (estimated != kNone) {
-      nearest = measured[nearest].quality == Quality::lower_bound ? estimated : nearest;
-      measured[nearest].quality = Quality::estimate;
-    }
+    preferEstimate(links.estimated[link_pair], measured, links.nearest[link_pair]);
   }
 }
 

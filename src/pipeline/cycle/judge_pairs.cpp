@@ -96,18 +96,6 @@ bool findClosestAndSoonest(const CycleSetup& setup, const PairDistances& distanc
   return has_unknown;
 }
 
-/// A certain contact represents its link pair even if a lower bound is deeper. Beside it, an exact
-/// depth of other elements is an estimate of the links.
-void preferEstimate(std::size_t link_pair, PairDistances& distances, PairEvents& events) noexcept {
-  std::uint32_t& closest = events.closest[link_pair];
-  const std::uint32_t estimated = events.estimated[link_pair];
-  if (estimated == kNone) {
-    return;
-  }
-  closest = distances.pairs[closest].quality == Quality::lower_bound ? estimated : closest;
-  distances.pairs[closest].quality = Quality::estimate;
-}
-
 /// Searches again if an estimate has replaced the closest pair.
 void findClosestOfAll(const CycleSetup& setup, const PairDistances& distances,
                       PairEvents& events) noexcept {
@@ -234,6 +222,14 @@ Verdict verdictFor(double distance, double time, const Limits& limits, Verdict b
   return distance > limits.warning_distance ? Verdict::clear : Verdict::unknown;
 }
 
+void preferEstimate(std::uint32_t estimated, std::vector<PairDistance>& pairs,
+                    std::uint32_t& closest) noexcept {
+  if (estimated != kNone) {
+    closest = pairs[closest].quality == Quality::lower_bound ? estimated : closest;
+    pairs[closest].quality = Quality::estimate;
+  }
+}
+
 void forgetTold(PairEvents& events) noexcept {
   for (const LinkPairIndex pair : events.active) {
     events.closest[pair] = events.soonest[pair] = kNone;
@@ -258,7 +254,7 @@ void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
       events.overall = std::max(events.overall, Verdict::warning);
       continue;
     }
-    preferEstimate(i, distances, events);
+    preferEstimate(events.estimated[i], distances.pairs, events.closest[i]);
     const CheckedLinkPair& pair = setup.checked[i];
     const bool is_joined = isJoined(body_poses, pair.a, pair.b);
     events.unjoined += memory.judges_all && !is_joined ? 1 : 0;

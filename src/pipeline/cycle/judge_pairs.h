@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "collision_monitor/pipeline/setup.h"
 #include "pipeline/data/cycle_data.h"
 
@@ -10,6 +13,13 @@ namespace collision_monitor {
 /// The verdict of a pair by its distance [m] and time to contact [s]. It is raised at its threshold
 /// and left only `hysteresis` beyond it.
 Verdict verdictFor(double distance, double time, const Limits& limits, Verdict before) noexcept;
+
+/// Decides which distance represents two links: a certain contact, even if a lower bound is deeper.
+/// Beside an overlap that is estimated, an exact depth of other elements is an estimate, too.
+/// @param estimated index into `pairs` of the deepest estimate, or kNone
+/// @param closest index into `pairs` of the least distance
+void preferEstimate(std::uint32_t estimated, std::vector<PairDistance>& pairs,
+                    std::uint32_t& closest) noexcept;
 
 /// Judges the pairs that have a distance or are lively, or all if `memory.judges_all`. The closest
 /// distance of links that overlap by an estimate becomes an estimate, too.
