@@ -123,8 +123,8 @@ std::string numberFault(double number) {
   return std::abs(number) <= kFarthest ? "" : "is " + shortText(number) + "; accepted: -1e9 to 1e9";
 }
 
-std::vector<std::string> jointFaults(const RobotModel& model,
-                                     const sensor_msgs::JointState& joints) {
+std::vector<std::string> jointFaults(const RobotModel& model, const sensor_msgs::JointState& joints,
+                                     const std::string& names) {
   if (joints.name.size() != joints.position.size()) {
     return {"joints has " + counted(joints.name.size(), "name") + " and " +
             counted(joints.position.size(), "position") + "; give one position for each name"};
@@ -133,24 +133,25 @@ std::vector<std::string> jointFaults(const RobotModel& model,
   std::unordered_set<std::string_view> unknown;
   FewTexts faults;
   for (std::size_t i = 0; i < joints.name.size(); ++i) {
+    const auto place = [&] { return names + "[" + std::to_string(i) + "]: "; };
     const auto id = model.findJoint(joints.name[i]);
     if (!id) {
       if (unknown.insert(joints.name[i]).second) {
-        faults.add([&] { return unknownJoint(model, joints.name[i]); });
+        faults.add([&] { return place() + unknownJoint(model, joints.name[i]); });
       }
       continue;
     }
-    std::string text = fault(model, model.joint(*id), joints.position[i], counts);
+    const std::string text = fault(model, model.joint(*id), joints.position[i], counts);
     if (!text.empty()) {
-      faults.add([&] { return text; });
+      faults.add([&] { return place() + text; });
     }
   }
   return faults.all();
 }
 
 std::vector<std::string> applyJoints(const RobotModel& model, const sensor_msgs::JointState& joints,
-                                     LinkPoses& poses) {
-  std::vector<std::string> faults = jointFaults(model, joints);
+                                     const std::string& names, LinkPoses& poses) {
+  std::vector<std::string> faults = jointFaults(model, joints, names);
   if (!faults.empty()) {
     return faults;
   }

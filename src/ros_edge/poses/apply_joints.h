@@ -15,8 +15,9 @@ namespace collision_monitor {
 std::string numberFault(double number);
 
 /// Faults of `joints`: a few sentences and the number of others. The time is linear in the names.
-std::vector<std::string> jointFaults(const RobotModel& model,
-                                     const sensor_msgs::JointState& joints);
+/// @param names  the request's field that holds the names; each sentence names its entry
+std::vector<std::string> jointFaults(const RobotModel& model, const sensor_msgs::JointState& joints,
+                                     const std::string& names);
 
 /// Moves the named joints and their mimic joints to the given positions. All other joints stay
 /// where `poses` has them. Fixed joints that `poses` does not know come from the model, so a robot
@@ -24,6 +25,6 @@ std::vector<std::string> jointFaults(const RobotModel& model,
 /// begins a floating part.
 /// @return as jointFaults: if there are any, `poses` is unchanged.
 std::vector<std::string> applyJoints(const RobotModel& model, const sensor_msgs::JointState& joints,
-                                     LinkPoses& poses);
+                                     const std::string& names, LinkPoses& poses);
 
 }  // namespace collision_monitor

@@ -32,7 +32,7 @@ std::size_t countStates(const RobotModel& model, const CheckStates::Request& req
   sensor_msgs::JointState names;
   names.name = request.joint_names;
   names.position.resize(names.name.size(), 0.0);
-  faults = jointFaults(model, names);
+  faults = jointFaults(model, names, "joint_names");
   const std::size_t joints = request.joint_names.size();
   if (model.variable_count == 0 && joints == 0 && request.positions.empty()) {
     return 1;  // nothing moves, so there is exactly one state

@@ -188,7 +188,7 @@ void answerChecked(const MonitorSetup& current, const NewestState& newest,
   Scene scene{newest.poses, makeLinkDistances(setup)};
   if (!request.joints.name.empty() || !request.joints.position.empty()) {
     const std::vector<std::string> joint_faults =
-        applyJoints(setup.model, request.joints, scene.poses);
+        applyJoints(setup.model, request.joints, "joints.name", scene.poses);
     faults.insert(faults.end(), joint_faults.begin(), joint_faults.end());
   }
   response.success = 0;

@@ -145,7 +145,7 @@ std::vector<std::string> readTrajectory(const RobotModel& model, const JointTraj
   if (first.name.empty()) {
     faults.emplace_back("joint_names is empty; name the joints that move");
   }
-  const std::vector<std::string> of_joints = applyJoints(model, first, start);
+  const std::vector<std::string> of_joints = applyJoints(model, first, "joint_names", start);
   faults.insert(faults.end(), of_joints.begin(), of_joints.end());
   if (faults.empty()) {
     fillPath(model, trajectory, path);
@@ -169,7 +169,7 @@ std::vector<std::string> addWayToFirstPoint(const RobotModel& model, const Newes
     }
   }
   if (unknown.empty()) {
-    applyJoints(model, now, start);
+    applyJoints(model, now, "joint_names", start);
     path.times.insert(path.times.begin(), 0.0);
     path.positions.insert(path.positions.begin(), now.position.begin(), now.position.end());
     path.velocities.insert(path.velocities.begin(),

@@ -222,8 +222,9 @@ TEST_F(CheckStatesServiceTest, faults_areNamedAndNothingIsChecked) {
   request_.positions = {0.0, 1.0};
   const auto response = ask();
   EXPECT_FALSE(response.success);
-  EXPECT_NE(response.message.find("there is no joint 'slyde'"), std::string::npos);
-  EXPECT_NE(response.message.find("'follow' follows 'slide'"), std::string::npos);
+  EXPECT_NE(response.message.find("joint_names[1]: there is no joint 'slyde'"), std::string::npos);
+  EXPECT_NE(response.message.find("joint_names[2]: joint 'follow' follows 'slide'"),
+            std::string::npos);
   EXPECT_NE(response.message.find("positions has 2 values for 3 joints"), std::string::npos);
   EXPECT_TRUE(response.levels.empty());
 }

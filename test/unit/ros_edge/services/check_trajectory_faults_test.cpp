@@ -20,7 +20,8 @@ TEST_F(CheckTrajectoryFaults, manyUnknownJointsAndBadPoints_areAFewAndHowManyMor
   }
   const auto response = ask();
   EXPECT_FALSE(response.success);
-  EXPECT_NE(response.message.find("99995 more; there is no joint 'unknown0'"), std::string::npos)
+  EXPECT_NE(response.message.find("99995 more; joint_names[0]: there is no joint 'unknown0'"),
+            std::string::npos)
       << response.message;
   EXPECT_EQ(response.message.substr(response.message.size() - 12), "; 99995 more");
 }

@@ -49,7 +49,9 @@ TEST_F(GetDistancesFaults, unknownNames_areAnsweredWithThoseThatAreAccepted) {
   EXPECT_EQ(message.find("did you mean"), std::string::npos) << message;
   EXPECT_NE(message.find("links_a: there is no link 'antena'; accepted: "), std::string::npos)
       << message;
-  EXPECT_NE(message.find("there is no joint 'nothing'; accepted: "), std::string::npos) << message;
+  EXPECT_NE(message.find("joints.name[0]: there is no joint 'nothing'; accepted: "),
+            std::string::npos)
+      << message;
   for (const char* refused : {"antenna", "mast", "follow"}) {
     EXPECT_EQ(message.find(refused), std::string::npos) << refused << " in " << message;
   }
@@ -58,7 +60,8 @@ TEST_F(GetDistancesFaults, unknownNames_areAnsweredWithThoseThatAreAccepted) {
 TEST_F(GetDistancesFaults, positionBeyondSense_isRefused) {
   move("reach", 1e155);  // the square of which is infinite
   EXPECT_FALSE(ask().success);
-  EXPECT_EQ(ask().message, "the position of joint 'reach' is 1e+155; accepted: -1e9 to 1e9");
+  EXPECT_EQ(ask().message,
+            "joints.name[0]: the position of joint 'reach' is 1e+155; accepted: -1e9 to 1e9");
 }
 
 TEST_F(GetDistancesFaults, namesAndPositionsOfDifferentNumber) {
