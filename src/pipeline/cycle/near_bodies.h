@@ -104,7 +104,7 @@ struct NearBodies {
     return pair.elements == robots.closing || (robots.seeks_closing && !parts(pair));
   }
 
-  /// Whether some bodies of these links may be sought, lone or not.
+  /// Whether isSought may hold for some bodies of these links.
   bool seeksAmong(LinkPairIndex links) const noexcept {
     return robots.seeks_closing ||
            (robots.closing != kNone && setup.element_pairs[robots.closing].link_pair == links);

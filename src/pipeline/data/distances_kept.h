@@ -81,8 +81,8 @@ struct DistanceCache {
   /// was measured.
   std::vector<double> nearest;
   std::vector<ElementPairIndex> measured_pairs;  ///< pairs with a finite `nearest`
-  /// By LinkPairIndex, where bodies are lone: [m] what the last cycle could tell of them, at most;
-  /// lone bodies that were farther were not the nearest. Infinity: nothing.
+  /// By LinkPairIndex, where bodies are lone: [m] an upper bound of their distance in the last
+  /// cycle. Lone bodies beyond it were not the nearest of their links. Infinity: no bound is known.
   std::vector<double> nearest_of_links;
   std::vector<std::uint32_t> measured_links;  ///< pairs with a finite `nearest_of_links`
   /// By ElementPairIndex: [m] a lower bound of their distance plus the travel of both links. This

@@ -62,8 +62,9 @@ struct RobotSpeeds {
   bool passes_lone{false};  ///< lone bodies are passed over by how they close
   /// A scale may jump to 1: nothing is passed over that may close or rest.
   bool seeks_closing{false};
-  /// The elements that closed fastest when such were last sought; kNone: none since a scale is 1.
-  /// They are not passed over: while they close, no scale jumps, and none need be sought.
+  /// The elements that closed fastest when closing ones were last sought. kNone: none closed, or
+  /// all scales are 1. These elements are not passed over: while they close, no scale jumps, and no
+  /// others need be sought.
   ElementPairIndex closing{kNone};
   /// By robot * number of scales + robot: kHasUnknown, kHasLost, of pairs between them.
   std::vector<unsigned char> has_unknown;

@@ -11,7 +11,7 @@ namespace {
 
 /// @param contact [m] contactOfElements: a bound at or below it does not exclude a contact.
 void takeOver(const ElementDistance& found, double contact, PairDistance& distance) noexcept {
-  constexpr double kRounding = 1e-9;  // [m] of a bound that was raised to this distance before
+  constexpr double kRounding = 1e-9;  // [m] between the bound and the distance it came from
   const double bound = distance.measured.distance;
   const bool is_nearer = found.has_points ? !(found.measured.distance >= bound - kRounding)
                                           : !(found.measured.distance > bound);

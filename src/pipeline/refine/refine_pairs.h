@@ -55,7 +55,7 @@ struct RefineWork {
   std::size_t work_done{0};
   std::size_t work_before{0};     ///< of the same budget, that refinePairs has done before
   std::size_t near_bodies{0};     ///< pairs of bodies that count; 0 while learning
-  std::uint32_t depth_points{0};  ///< that a cycle tries for the depth of each overlap
+  std::uint32_t depth_points{0};  ///< tried for the depth of each overlap, in a cycle
 };
 
 /// The work that a cycle may do on elements. It grows where poses come seldom: there is more time,
