@@ -78,9 +78,7 @@ struct Asked {
 
 // What is kept of a probe, if there is room for it.
 KeptProbe* keptOf(const HoldingQuery& query, std::size_t probe) noexcept {
-  return query.asks_outside && query.kept != nullptr && probe < query.kept->size()
-             ? &(*query.kept)[probe]
-             : nullptr;
+  return query.asks_outside && probe < query.kept.count ? query.kept.first + probe : nullptr;
 }
 
 // Finds a probe inside; none: kNone.
@@ -122,6 +120,10 @@ std::uint32_t findHeld(const Asked& asked, const HoldingQuery& query, MeshQueryM
 }  // namespace
 
 double leastHold(const MeshTree& open) noexcept { return 1e-3 * open.radius(); }
+
+std::size_t countProbes(const MeshTree& a, const MeshTree& b) noexcept {
+  return probesOf(b, a).size() + probesOf(a, b).size();
+}
 
 Holding pointHeld(const MeshPair& pair, MeshQueryMemory& memory,
                   const HoldingQuery& query) noexcept {

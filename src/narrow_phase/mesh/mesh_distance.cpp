@@ -115,7 +115,7 @@ void reportHeld(const Holding& held, const Pose& world_from_a, MeshDistance& ans
 
 // Surfaces that do not meet may still lie one inside the other.
 void reportContainment(const MeshPair& pair, const Pose& world_from_a,
-                       const MeshQueryLimits& limits, MeshQueryMemory& memory, KeptProbes* probes,
+                       const MeshQueryLimits& limits, MeshQueryMemory& memory, KeptProbes probes,
                        MeshDistance& answer) noexcept {
   if (answer.state == MeshState::overlapping || (limits.at_least > 0.0 && !limits.asks_outside)) {
     return;
@@ -228,7 +228,7 @@ MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQuery
   queue.push({0.0F, 0, 0});
   searchPairs(pair, limits.visit_budget, last, queue, search);
   answer = answerOf(pair, search, a.world_from_mesh, limits.stop_beyond);
-  reportContainment(pair, a.world_from_mesh, limits, memory, nullptr, answer);
+  reportContainment(pair, a.world_from_mesh, limits, memory, {}, answer);
   return answer;
 }
 
@@ -262,7 +262,7 @@ MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQuery
   if (step < std::min(front.apart, front.outside)) {
     answer.outside = front.outside - step;
   } else {
-    reportContainment(pair, a.world_from_mesh, limits, memory, &front.probes, answer);
+    reportContainment(pair, a.world_from_mesh, limits, memory, front.probes, answer);
   }
   front.apart = answer.state == MeshState::overlapping ? 0.0 : answer.measured.distance;
   front.outside = limits.asks_outside ? answer.outside : 0.0;

@@ -44,6 +44,9 @@ struct TrianglePair {
 /// Numbers first the probes of B, then those of A.
 using HeldProbe = std::uint32_t;
 
+/// How many probes two meshes have.
+std::size_t countProbes(const MeshTree& a, const MeshTree& b) noexcept;
+
 struct MeshDistance {
   MeshState state{MeshState::unknown};
   SignedDistance measured;  ///< NaN-free in every state
@@ -128,7 +131,7 @@ struct MeshContactQuery {
   double outside{0.0};
   std::uint32_t visit_budget{std::numeric_limits<std::uint32_t>::max()};  ///< as MeshQueryLimits
   HeldProbe held{kNone};                                                  ///< as MeshQueryLimits
-  KeptProbes* probes{nullptr};  ///< of earlier queries of the same meshes, and for later ones
+  KeptProbes probes{};  ///< of earlier queries of the same meshes, and for later ones
 };
 
 /// Finds whether surfaces come within a distance of each other, or one mesh that has an inside

@@ -145,7 +145,7 @@ struct Holding {
 struct HoldingQuery {
   bool asks_outside{true};  ///< also finds Holding::outside; else it means nothing
   double apart{0.0};        ///< [m] a lower bound of the distance of the surfaces
-  KeptProbes* kept{nullptr};
+  KeptProbes kept{};
 };
 
 /// Finds a point of one mesh inside the other. The surfaces must not cross. So a closed mesh holds

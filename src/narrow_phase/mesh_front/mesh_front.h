@@ -54,7 +54,8 @@ struct MeshFront {
     std::array<Kept, kBlockSize> kept;
   };
 
-  explicit MeshFront(FrontPool& its_pool) noexcept : pool(its_pool) {}
+  explicit MeshFront(FrontPool& its_pool, KeptProbes its_probes = {}) noexcept
+      : pool(its_pool), probes(its_probes) {}
   MeshFront(const MeshFront&) = delete;
   MeshFront& operator=(const MeshFront&) = delete;
   ~MeshFront() = default;
@@ -66,7 +67,7 @@ struct MeshFront {
   double margin{0.0};           ///< [m] triangles are measured this far beyond the nearest
   double apart{0.0};            ///< [m] between the surfaces; 0 if one was inside the other
   double outside{0.0};          ///< [m] as MeshDistance::outside
-  KeptProbes probes;            ///< of two meshes
+  KeptProbes probes;            ///< of two meshes; whoever makes the front has their room
   std::uint32_t from_roots{0};  ///< visits of the search from the roots
   bool is_whole{false};         ///< that search was complete
   std::uint32_t size{0};        ///< number of pairs

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <array>
+#include <cstddef>
 #include <optional>
 
 namespace collision_monitor {
@@ -25,7 +25,11 @@ struct KeptProbe {
   }
 };
 
-/// By HeldProbe (mesh_distance.h). Probes beyond the last are asked each time.
-using KeptProbes = std::array<KeptProbe, 32>;
+/// What is kept of the probes of two meshes, by HeldProbe (mesh_distance.h). Probes beyond the last
+/// are asked each time.
+struct KeptProbes {
+  KeptProbe* first{nullptr};
+  std::size_t count{0};
+};
 
 }  // namespace collision_monitor

@@ -45,7 +45,7 @@ void forget(RefineMemory& memory) noexcept {
     memory.front->pool.clear(*memory.front);
     memory.front->resting_from_moving.reset();
     memory.front->nearest.a = kNone;
-    memory.front->probes.fill(KeptProbe());
+    std::fill_n(memory.front->probes.first, memory.front->probes.count, KeptProbe());
   }
   if (memory.depth != nullptr) {
     forget(*memory.depth);

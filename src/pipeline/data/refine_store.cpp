@@ -15,7 +15,8 @@ RefineKind slotKindOf(RefineKind kind) noexcept {
 
 }  // namespace
 
-RefineRoom::RefineRoom(std::array<std::size_t, kKinds> counts) {
+RefineRoom::RefineRoom(std::array<std::size_t, kKinds> counts, std::size_t probes)
+    : probes_of_front_(std::min(probes, kMostProbes)) {
   std::size_t slots = 0;
   for (std::size_t kind = 0; kind < counts.size(); ++kind) {
     const bool is_plain = static_cast<RefineKind>(kind) == RefineKind::plain;
@@ -28,16 +29,25 @@ RefineRoom::RefineRoom(std::array<std::size_t, kKinds> counts) {
   pool_ = std::make_unique<FrontPool>(
       fronts == 0 ? 0 : kBlocksOfPair * std::min(fronts, kMostMeshes) + kBlocksOfAll);
   fronts_ = FixedRoom<MeshFront>(fronts);
+  probes_ = FixedRoom<KeptProbe>(countOf(RefineKind::both) * probes_of_front_);
   depths_ = std::make_unique<FixedRoom<KeptDepth>>(countOf(RefineKind::depth) +
                                                    countOf(RefineKind::both));
   slots_ = FixedRoom<Slot>(slots);
+}
+
+KeptProbes RefineRoom::makeProbes() noexcept {
+  const KeptProbes made{probes_.end(), probes_of_front_};
+  for (std::size_t i = 0; i < made.count; ++i) {
+    probes_.make();
+  }
+  return made;
 }
 
 /// @pre one may be made
 std::uint32_t RefineRoom::makeSlot(RefineKind kind) noexcept {
   RefineMemory& memory = slots_.make().memory;
   if (kind == RefineKind::front || kind == RefineKind::both) {
-    memory.front = &fronts_.make(*pool_);
+    memory.front = &fronts_.make(*pool_, kind == RefineKind::both ? makeProbes() : KeptProbes());
   }
   if (kind == RefineKind::depth || kind == RefineKind::both) {
     memory.depths = depths_.get();
@@ -81,7 +91,8 @@ void RefineRoom::putFirst(Order& order, std::uint32_t slot) noexcept {
 
 const LastMeasurement RefineStore::kNothingMeasured{};
 
-RefineStore::RefineStore(std::vector<RefineKind> kinds, std::vector<unsigned char> is_of_object)
+RefineStore::RefineStore(std::vector<RefineKind> kinds, std::size_t probes,
+                         std::vector<unsigned char> is_of_object)
     : slot_of_(kinds.size(), kNone),
       kinds_(std::move(kinds)),
       is_of_object_(std::move(is_of_object)) {
@@ -94,7 +105,7 @@ RefineStore::RefineStore(std::vector<RefineKind> kinds, std::vector<unsigned cha
     std::size_t& plain = counts[room][static_cast<std::size_t>(RefineKind::plain)];
     plain = std::max(plain, std::min<std::size_t>(never, 1));  // slotKindOf
     never = 0;
-    rooms_[room] = RefineRoom(counts[room]);
+    rooms_[room] = RefineRoom(counts[room], probes);
   }
 }
 

@@ -23,6 +23,7 @@ class RefineRoom {
   static constexpr std::size_t kKinds = 5;
   static constexpr std::size_t kMostPlain = 2048;   ///< memories of kind plain
   static constexpr std::size_t kMostMeshes = 1024;  ///< of each other kind
+  static constexpr std::size_t kMostProbes = 512;   ///< kept of a pair
 
   /// Blocks of fronts: some for each pair with a front, and some for all. Few pairs are near each
   /// other at a time, and some of these need many.
@@ -38,7 +39,8 @@ class RefineRoom {
 
   RefineRoom() = default;
   /// @param counts by RefineKind: pairs
-  explicit RefineRoom(std::array<std::size_t, kKinds> counts);
+  /// @param probes kept of each pair of kind `both`, at most kMostProbes
+  RefineRoom(std::array<std::size_t, kKinds> counts, std::size_t probes);
 
   /// A slot for another pair: a new one, or the one that was asked for longest ago. Its memory is
   /// as new; `pair` is still the one that had it. @pre there is a pair of this kind
@@ -59,11 +61,14 @@ class RefineRoom {
 
   Order& orderOf(RefineKind kind) noexcept { return orders_[static_cast<std::size_t>(kind)]; }
   std::uint32_t makeSlot(RefineKind kind) noexcept;
+  KeptProbes makeProbes() noexcept;
   void takeOut(Order& order, std::uint32_t slot) noexcept;
   void putFirst(Order& order, std::uint32_t slot) noexcept;
 
   std::unique_ptr<FrontPool> pool_;
   FixedRoom<MeshFront> fronts_;
+  FixedRoom<KeptProbe> probes_;  ///< fronts name them
+  std::size_t probes_of_front_{0};
   std::unique_ptr<FixedRoom<KeptDepth>> depths_;  ///< memories name it
   FixedRoom<Slot> slots_;
   std::array<Order, kKinds> orders_;  ///< by RefineKind
@@ -76,8 +81,10 @@ class RefineStore {
  public:
   RefineStore() = default;
   /// @param kinds by ElementPairIndex
+  /// @param probes the most that two meshes have; beyond kMostProbes they are not kept
   /// @param is_of_object by ElementPairIndex, whether the pair is of an object; empty: none is
-  explicit RefineStore(std::vector<RefineKind> kinds, std::vector<unsigned char> is_of_object = {});
+  explicit RefineStore(std::vector<RefineKind> kinds, std::size_t probes = 0,
+                       std::vector<unsigned char> is_of_object = {});
 
   /// The memory of a pair; as new if it had none or lost it to another pair. Valid until the memory
   /// of another pair is asked for.

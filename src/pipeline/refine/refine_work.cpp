@@ -15,15 +15,17 @@ namespace {
 
 /// What matters of an element. There are many pairs, and elements are large.
 struct ElementTraits {
-  bool has_mesh;
+  const MeshTree* mesh;  ///< or nullptr
   bool has_convex;
   bool is_body;
 };
 
 /// Fronts are kept where a mesh is searched, against a mesh or a solid.
 RefineKind refineKindOf(const ElementTraits& a, const ElementTraits& b) noexcept {
-  const bool has_front = (a.has_mesh && !a.has_convex) || (b.has_mesh && !b.has_convex);
-  const bool has_depth = a.has_mesh && b.has_mesh && !(a.has_convex && b.has_convex);
+  const bool has_meshes = a.mesh != nullptr && b.mesh != nullptr;
+  const bool has_front =
+      (a.mesh != nullptr && !a.has_convex) || (b.mesh != nullptr && !b.has_convex);
+  const bool has_depth = has_meshes && !(a.has_convex && b.has_convex);
   if (a.is_body && b.is_body) {
     return RefineKind::never;
   }
@@ -73,20 +75,26 @@ RefineStore makeRefineMemory(const CycleSetup& setup) {
   std::vector<ElementTraits> traits;
   traits.reserve(setup.elements.size());
   for (const Element& element : setup.elements) {
-    traits.push_back({element.mesh != nullptr, element.convex.has_value(), element.is_body});
+    traits.push_back({element.mesh.get(), element.convex.has_value(), element.is_body});
   }
   const LinkId first_of_world = firstOfWorld(setup.model);
   std::vector<RefineKind> kinds;
   kinds.reserve(setup.element_pairs.size());
+  std::size_t probes = 0;
   std::vector<unsigned char> is_of_object(hasObjects(setup.model) ? setup.element_pairs.size() : 0,
                                           0);
   for (const ElementPair& pair : setup.element_pairs) {
     if (setup.checked[pair.link_pair].b >= first_of_world) {
       is_of_object[kinds.size()] = 1;
     }
-    kinds.push_back(refineKindOf(traits[index(pair.a)], traits[index(pair.b)]));
+    const ElementTraits& a = traits[index(pair.a)];
+    const ElementTraits& b = traits[index(pair.b)];
+    kinds.push_back(refineKindOf(a, b));
+    if (kinds.back() == RefineKind::both) {
+      probes = std::max(probes, countProbes(*a.mesh, *b.mesh));
+    }
   }
-  return RefineStore(std::move(kinds), std::move(is_of_object));
+  return RefineStore(std::move(kinds), probes, std::move(is_of_object));
 }
 
 }  // namespace collision_monitor

@@ -105,7 +105,7 @@ ElementContact touchTriangles(const PlacedElement& a, const PlacedElement& b,
       goal.outside,
       search.budget - std::min(search.budget, work),
       search.memory.held,
-      search.memory.front != nullptr ? &search.memory.front->probes : nullptr};
+      search.memory.front != nullptr ? search.memory.front->probes : KeptProbes()};
   const MeshContact found = isSimple(b)   ? contactOf(meshOf(a), convexOf(b), query, memory, last)
                             : isSimple(a) ? contactOf(meshOf(b), convexOf(a), query, memory, last)
                                           : contactOf(meshOf(a), meshOf(b), query, memory, last);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 #include <memory>
 
@@ -92,25 +93,26 @@ TEST_F(MeshContactTest, probeHeldBefore_isAskedFirst) {
 
 TEST_F(MeshContactTest, probesOutsideBefore_areAskedAgainOnlyAfterTravel) {
   const MeshTree outer = test::openTree(withoutATriangle());
-  KeptProbes kept;
-  const auto touchAt = [&](double x, KeptProbes* probes) {
+  std::array<KeptProbe, 32> kept;
+  ASSERT_LE(countProbes(outer, small_), kept.size());
+  const auto touchAt = [&](double x) {
     MeshContactQuery query;
     query.distance = 0.01;
     query.asks_outside = true;
-    query.probes = probes;
+    query.probes = {kept.data(), kept.size()};
     return contactOf({outer, Pose()}, {small_, at(x)}, query, *memory_);
   };
-  const double outside = touchAt(0.3, &kept).outside;
+  const double outside = touchAt(0.3).outside;
   const KeptProbe first = kept[0];
   EXPECT_GE(first.hold, outside);
   EXPECT_EQ(first.apart, 0.01);
-  const MeshContact near_by = touchAt(0.301, &kept);
+  const MeshContact near_by = touchAt(0.301);
   EXPECT_EQ(near_by.state, State::apart);
   EXPECT_EQ(kept[0].point, first.point) << "it was not asked";
   EXPECT_NEAR(near_by.outside, outside - 0.001, 1e-12);
-  EXPECT_EQ(touchAt(0.32, &kept).state, State::apart);
+  EXPECT_EQ(touchAt(0.32).state, State::apart);
   EXPECT_NE(kept[0].point, first.point) << "it moved by more than the surfaces were apart";
-  EXPECT_EQ(touchAt(0.0, &kept).state, State::contact) << "a jump into the other";
+  EXPECT_EQ(touchAt(0.0).state, State::contact) << "a jump into the other";
 }
 
 TEST_F(MeshContactTest, distanceOfAProbeHeldBefore_isThatOfAnyOther) {

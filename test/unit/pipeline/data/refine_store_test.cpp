@@ -52,6 +52,26 @@ TEST(RefineStore, meshes_haveWhatTheirKindSays) {
   }
 }
 
+TEST(RefineStore, pairsOfMeshes_keepTheirProbesApart) {
+  RefineStore store({RefineKind::both, RefineKind::front, RefineKind::both}, 100);
+  const KeptProbes first = store.of(0).front->probes;
+  EXPECT_EQ(first.count, 100U);
+  EXPECT_EQ(store.of(1).front->probes.count, 0U) << "only one of them is a mesh";
+  const KeptProbes other = store.of(2).front->probes;
+  ASSERT_EQ(other.count, 100U);
+  first.first[99].hold = 1.0;
+  other.first[0].hold = 2.0;
+  EXPECT_EQ(first.first[99].hold, 1.0);
+  store.forgetAll();
+  EXPECT_EQ(first.first[99].hold, 0.0);
+  EXPECT_EQ(other.first[0].hold, 0.0);
+}
+
+TEST(RefineStore, moreProbesThanAreKept) {
+  RefineStore store({RefineKind::both}, 100'000);
+  EXPECT_EQ(store.of(0).front->probes.count, RefineRoom::kMostProbes);
+}
+
 TEST(RefineStore, pairWhoseBodiesSayAll_hasOneAllTheSame) {
   RefineStore store({RefineKind::never, RefineKind::never});
   mark(store, 0);
@@ -71,8 +91,8 @@ TEST(RefineStore, forgetAll_leavesAllAsNew) {
 
 TEST(RefineStore, pairsOfRobots_goToAnotherStoreUnderNewNumbers) {
   // The second pair is of an object; in the next store, the first is.
-  RefineStore former({RefineKind::front, RefineKind::plain, RefineKind::plain}, {0, 1, 0});
-  RefineStore next({RefineKind::plain, RefineKind::front, RefineKind::plain}, {1, 0, 0});
+  RefineStore former({RefineKind::front, RefineKind::plain, RefineKind::plain}, 0, {0, 1, 0});
+  RefineStore next({RefineKind::plain, RefineKind::front, RefineKind::plain}, 0, {1, 0, 0});
   for (ElementPairIndex pair = 0; pair < 3; ++pair) {
     mark(former, pair);
     mark(next, pair);
