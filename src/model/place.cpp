@@ -74,13 +74,14 @@ Problem unreadable(const std::string& source, const std::string& reason,
   if (meshes.size() == 1) {
     return {meshes.front().where, "mesh " + meshes.front().found + ": " + reason, accepted};
   }
-  std::string names;
+  std::vector<std::string> names;
   for (const Problem& mesh : meshes) {
     const bool is_inside = mesh.where.rfind(source, 0) == 0;
-    names += (names.empty() ? "" : "; ") + mesh.found + " in" +
-             (is_inside ? mesh.where.substr(source.size()) : " " + mesh.where);
+    names.push_back(mesh.found + " in" +
+                    (is_inside ? mesh.where.substr(source.size()) : " " + mesh.where));
   }
-  return {source, std::to_string(meshes.size()) + " meshes: " + reason + ": " + names, accepted};
+  return {source, std::to_string(meshes.size()) + " meshes: " + reason + ": " + listOf(names),
+          accepted};
 }
 
 /// Whether `c` is a continuation byte of UTF-8. Messages must not be cut before one.

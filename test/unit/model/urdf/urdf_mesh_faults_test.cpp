@@ -47,6 +47,20 @@ TEST(UrdfFaults, meshes) {
   });
 }
 
+TEST(UrdfFaults, manyMeshesForOneReason_areAFewAndHowManyMore) {
+  std::string links = linkXml("a", "<mesh filename='x.stl'/>");
+  for (int i = 0; i < 60; ++i) {
+    const std::string name = "b" + std::to_string(i);
+    links += linkXml(name, "<mesh filename='" + name + ".stl'/>") +
+             jointXml("j" + name, "fixed", "a", name);
+  }
+  const ReadText read = readText(robotXml(links));
+  ASSERT_EQ(read.errors().size(), 1U);
+  const std::string error = read.errors()[0];
+  EXPECT_EQ(error.rfind("test.urdf: 61 meshes: ", 0), 0U) << error;
+  EXPECT_NE(error.find("; and 49 more; accepted: "), std::string::npos) << error;
+}
+
 // Which formats are read is said only of what stands in a file, and no name twice.
 TEST(UrdfFaults, meshFiles) {
   const ReadText read = readText(robotXml(linkXml("a", "<mesh filename='/x.stl'/>")),
