@@ -126,8 +126,12 @@ std::size_t countProbes(const MeshTree& a, const MeshTree& b) noexcept {
 }
 
 Holding pointHeld(const MeshPair& pair, MeshQueryMemory& memory,
-                  const HoldingQuery& query) noexcept {
+                  const HoldingQuery& asked) noexcept {
   Holding holding;
+  HoldingQuery query = asked;
+  if (countProbes(pair.a, pair.b) > query.kept.count) {
+    query.kept = {};  // of many probes one would expire in each query, and all are asked then
+  }
   const std::vector<Eigen::Vector3d>& of_b = probesOf(pair.b, pair.a);
   const Asked asked_a{pair.a, pair.b, pair.a_from_b, 0};
   const std::uint32_t in_a = findHeld(asked_a, query, memory, holding);

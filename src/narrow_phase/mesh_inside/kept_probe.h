@@ -25,8 +25,8 @@ struct KeptProbe {
   }
 };
 
-/// What is kept of the probes of two meshes, by HeldProbe (mesh_distance.h). Probes beyond the last
-/// are asked each time.
+/// What is kept of the probes of two meshes, by HeldProbe (mesh_distance.h). If they have more
+/// probes than `count`, nothing is kept.
 struct KeptProbes {
   KeptProbe* first{nullptr};
   std::size_t count{0};

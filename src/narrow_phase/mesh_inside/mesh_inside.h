@@ -30,8 +30,8 @@ struct PointInMesh {
 /// slabs around it, with a winding number above 1/2 in size. Near a hole it ends where half of all
 /// directions lead out. A point that is not finite is outside and stays so for no way.
 ///
-/// Frames: the mesh's. Error: points with a number above 1/2 by at most 0.02 may count as outside;
-/// points with another number never count as inside.
+/// Frames: the mesh's. Error: where the rim is long, points with a number between 1/2 and 0.52 may
+/// count as outside. Points with a number of 1/2 or less never count as inside.
 /// Source: Jacobson, Kavan, Sorkine-Hornung, "Robust Inside-Outside Segmentation using Generalized
 /// Winding Numbers" (2013), for the threshold. `hold`: off the surface the gradient of the winding
 /// number is that of the rim's solid angle. By Biot and Savart it is at most the rim's length over

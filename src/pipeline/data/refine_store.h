@@ -81,7 +81,7 @@ class RefineStore {
  public:
   RefineStore() = default;
   /// @param kinds by ElementPairIndex
-  /// @param probes the most that two meshes have; beyond kMostProbes they are not kept
+  /// @param probes the most that two meshes have; of more than kMostProbes none is kept
   /// @param is_of_object by ElementPairIndex, whether the pair is of an object; empty: none is
   explicit RefineStore(std::vector<RefineKind> kinds, std::size_t probes = 0,
                        std::vector<unsigned char> is_of_object = {});

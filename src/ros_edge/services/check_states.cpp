@@ -70,15 +70,17 @@ struct StateRange {
   std::size_t last;  ///< one past the end
 };
 
-/// NaN for invalid numbers: the state is then unknown.
+/// NaN if a number of the state is invalid: the state is then unknown.
 void positionsOf(const CheckStates::Request& request, const std::vector<int>& places,
                  const StateRange& range, JointPositions& positions) {
   positions.clear();
   for (std::size_t state = range.first; state < range.last; ++state) {
-    const double* first = request.positions.data() + state * request.joint_names.size();
+    const std::size_t joints = request.joint_names.size();
+    const double* first = request.positions.data() + state * joints;
+    const bool is_valid = std::all_of(
+        first, first + joints, [](double position) { return std::abs(position) <= kFarthest; });
     for (const int place : places) {
-      const double position = place < 0 ? 0.0 : first[place];
-      positions.push_back(std::abs(position) <= kFarthest ? position : kNotANumber);
+      positions.push_back(is_valid ? (place < 0 ? 0.0 : first[place]) : kNotANumber);
     }
   }
 }

@@ -115,6 +115,18 @@ TEST_F(MeshContactTest, probesOutsideBefore_areAskedAgainOnlyAfterTravel) {
   EXPECT_EQ(touchAt(0.0).state, State::contact) << "a jump into the other";
 }
 
+TEST_F(MeshContactTest, whereNotAllProbesCanBeKept_noneIs) {
+  const MeshTree outer = test::openTree(withoutATriangle());
+  std::array<KeptProbe, 1> few;
+  ASSERT_GT(countProbes(outer, small_), few.size());
+  MeshContactQuery query;
+  query.distance = 0.01;
+  query.asks_outside = true;
+  query.probes = {few.data(), few.size()};
+  EXPECT_EQ(contactOf({outer, Pose()}, {small_, at(0.3)}, query, *memory_).state, State::apart);
+  EXPECT_EQ(few[0].hold, 0.0);
+}
+
 TEST_F(MeshContactTest, distanceOfAProbeHeldBefore_isThatOfAnyOther) {
   MeshQueryLimits limits;
   const PlacedMesh outer{box_, Pose()};

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros_edge/services/check_states.h"
-
 #include <collision_monitor/LinkDistance.h>
 #include <collision_monitor/State.h>
 #include <gtest/gtest.h>
@@ -10,27 +8,10 @@
 #include <cmath>
 
 #include "support/robots/urdf_text.h"
-#include "unit/ros_edge/edge_scene.h"
+#include "unit/ros_edge/services/check_states_scene.h"
 
 namespace collision_monitor::test {
 namespace {
-
-class CheckStatesServiceTest : public testing::Test {
- protected:
-  CheckStates::Response ask() {
-    CheckStates::Response response;
-    NewestState newest = makeNewestState(setup_->setup.model);
-    newest.poses = poses_;
-    newest.reasons[0] = "no transform from 'world' to 'base' yet";
-    answerCheckStates(*setup_, newest, progress_, request_, response);
-    return response;
-  }
-
-  std::shared_ptr<const MonitorSetup> setup_ = slidingSetup();
-  LinkPoses poses_ = slidingPoses(setup_->setup.model, 0.0, 0.25);
-  std::function<bool(double)> progress_;
-  CheckStates::Request request_;
-};
 
 TEST_F(CheckStatesServiceTest, everyStateIsJudged) {
   request_.joint_names = {"reach"};
@@ -190,43 +171,6 @@ TEST_F(CheckStatesServiceTest, modelThatCannotMove_hasOneState) {
   ASSERT_TRUE(response.success) << response.message;
   EXPECT_EQ(response.levels, std::vector<std::uint8_t>{State::CONTACT});
   EXPECT_NEAR(response.distances[0], -0.05, 1e-12);
-}
-
-TEST_F(CheckStatesServiceTest, aMillionUnknownJoints_areAFewAndHowManyMore) {
-  for (int i = 0; i < 1'000'000; ++i) {
-    request_.joint_names.push_back("unknown" + std::to_string(i));
-  }
-  request_.joint_names.push_back("reach");
-  request_.positions.resize(request_.joint_names.size(), 0.0);
-  const auto response = ask();
-  EXPECT_FALSE(response.success);
-  EXPECT_NE(response.message.find("there is no joint 'unknown4'"), std::string::npos);
-  EXPECT_NE(response.message.find("; 999995 more"), std::string::npos) << response.message;
-  EXPECT_LT(response.message.size(), 1000U);
-}
-
-TEST_F(CheckStatesServiceTest, oddNames_areShortenedAndHarmless) {
-  request_.joint_names = {std::string(30'000'000, 'a'), "\x1b[2Jreach"};
-  request_.positions = {0.0, 0.0};
-  const auto response = ask();
-  EXPECT_FALSE(response.success);
-  EXPECT_LT(response.message.size(), 1000U);
-  EXPECT_NE(response.message.find("[... of 30000000 bytes ...]"), std::string::npos);
-  EXPECT_NE(response.message.find("there is no joint '\\x1b[2Jreach'"), std::string::npos)
-      << response.message;
-}
-
-TEST_F(CheckStatesServiceTest, faults_areNamedAndNothingIsChecked) {
-  EXPECT_NE(ask().message.find("joint_names is empty"), std::string::npos);
-  request_.joint_names = {"reach", "slyde", "follow"};
-  request_.positions = {0.0, 1.0};
-  const auto response = ask();
-  EXPECT_FALSE(response.success);
-  EXPECT_NE(response.message.find("joint_names[1]: there is no joint 'slyde'"), std::string::npos);
-  EXPECT_NE(response.message.find("joint_names[2]: joint 'follow' follows 'slide'"),
-            std::string::npos);
-  EXPECT_NE(response.message.find("positions has 2 values for 3 joints"), std::string::npos);
-  EXPECT_TRUE(response.levels.empty());
 }
 
 TEST_F(CheckStatesServiceTest, partThatFloats_itsOwnPairsAreJudged) {
