@@ -76,7 +76,7 @@ struct Asked {
   std::size_t first;  // HeldProbe of the first probe
 };
 
-// What is kept of a probe, if there is room for it.
+// What is kept of a probe; nullptr if nothing is.
 KeptProbe* keptOf(const HoldingQuery& query, std::size_t probe) noexcept {
   return query.asks_outside && probe < query.kept.count ? query.kept.first + probe : nullptr;
 }

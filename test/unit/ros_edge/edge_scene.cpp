@@ -43,6 +43,13 @@ LinkPoses slidingPoses(const RobotModel& model, double slide, double reach) {
   return poses;
 }
 
+NewestState newestAt(const RobotModel& model, const LinkPoses& poses) {
+  NewestState newest = makeNewestState(model);
+  newest.poses = poses;
+  newest.reasons[0] = "no transform from 'world' to 'base' yet";
+  return newest;
+}
+
 void floatSlider(const RobotModel& model, LinkPoses& poses) {
   const std::size_t slider = index(linkNamed(model, "slider"));
   const Pose slider_from_world = inverse(poses.world_from_link[slider]);

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "ros_edge/outputs/conversions.h"
+#include "ros_edge/poses/newest_state.h"
 #include "ros_edge/watch.h"
 
 namespace collision_monitor::test {
@@ -23,6 +24,10 @@ std::shared_ptr<const MonitorSetup> slidingSetup(const SetupOptions& options = S
 
 /// All links known, with the stamp 12.5 s.
 LinkPoses slidingPoses(const RobotModel& model, double slide, double reach);
+
+/// The newest state with these poses, as a service gets it. The reason for unknown links is a
+/// missing transform.
+NewestState newestAt(const RobotModel& model, const LinkPoses& poses);
 
 /// The slider floats with all that is on it, tool and finger: checked are its pair of these two and
 /// two pairs with the base. Poses are as seen from the slider.

@@ -16,9 +16,7 @@ class CheckStatesServiceTest : public testing::Test {
  protected:
   CheckStates::Response ask() {
     CheckStates::Response response;
-    NewestState newest = makeNewestState(setup_->setup.model);
-    newest.poses = poses_;
-    newest.reasons[0] = "no transform from 'world' to 'base' yet";
+    const NewestState newest = newestAt(setup_->setup.model, poses_);
     answerCheckStates(*setup_, newest, progress_, request_, response);
     return response;
   }

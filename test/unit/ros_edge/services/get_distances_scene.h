@@ -17,9 +17,7 @@ class GetDistancesScene : public testing::Test {
  protected:
   GetDistances::Response ask() {
     GetDistances::Response response;
-    NewestState newest = makeNewestState(setup_->setup.model);
-    newest.poses = poses_;
-    newest.reasons[0] = "no transform from 'world' to 'base' yet";
+    const NewestState newest = newestAt(setup_->setup.model, poses_);
     answerGetDistances(*setup_, newest, request_, response);
     return response;
   }
