@@ -45,79 +45,102 @@ void keepUnless(const IsFar& is_far, std::vector<PairId>& candidates) noexcept {
   candidates.resize(kept);
 }
 
-/// Looks up what decides for all bodies of a group.
-void lookUp(const NearBodies& near, const RefineWork& refined, ListedGroup& group) noexcept {
+/// What decides for all bodies of a group.
+struct GroupLimits {
+  NearBodies::Bounds near;
+  double nearest;    ///< [m] bodies farther than this are not the nearest of two elements
+  double told;       ///< [m] up to this distance the nearest bodies matter
+  bool is_measured;  ///< in the last cycle
+};
+
+GroupLimits limitsOf(const NearBodies& near, const RefineWork& refined,
+                     const ListedGroup& group) noexcept {
   const ElementsPlace& place = group.place;
   const PairReach& reach = near.reaches.of_limits[place.limits];
-  const double step = stepOfLinks(near.cache, place);
-  group.by_links = near.byLinks(place);
-  group.at_rest = reach.near;
-  group.stop = reach.stop;
-  group.nearest = group.is_of_lone ? kInfinity : near.cache.nearest[place.elements] + step;
-  group.told = near.seeksAmong(place.link_pair)
-                   ? std::max(reach.near, std::min(reach.all, group.nearest))
-                   : near.atRest(place, group.nearest);
-  group.is_measured = refined.is_measured[place.elements] != 0;
-  group.least_gap = kInfinity;
-  group.has_near = false;
+  const double nearest = group.is_of_lone
+                             ? kInfinity
+                             : near.cache.nearest[place.elements] + stepOfLinks(near.cache, place);
+  const double told = near.seeksAmong(place.link_pair)
+                          ? std::max(reach.near, std::min(reach.all, nearest))
+                          : near.atRest(place, nearest);
+  return {{near.byLinks(place), reach.near, reach.stop},
+          nearest,
+          told,
+          refined.is_measured[place.elements] != 0};
 }
 
-/// Passes over groups that are far or settled with all of their bodies.
-void passGroups(const NearBodies& near, SettledPairs& settled, CycleBuffers& buffers) noexcept {
-  DistanceCache& cache = buffers.memory.distance_cache;
-  for (ListedGroup& group : cache.groups) {
-    const ElementsPlace& place = group.place;
-    group.travel = travelOfLinks(cache, place);
-    const double told = near.seeksAmong(place.link_pair) ? near.reaches.of_limits[place.limits].all
-                                                         : near.heardOf(place);
-    const bool is_far = group.gap - group.travel > std::max(near.byLinks(place), told);
-    group.is_passed = is_far || (!group.is_of_lone && settled.passOver(place));
-    if (!group.is_passed) {
-      lookUp(near, buffers.refine, group);
-    }
-  }
+/// Whether the bodies of a group are all proven to be far.
+bool isGroupFar(const NearBodies& near, const ListedGroup& group) noexcept {
+  const ElementsPlace& place = group.place;
+  const double told = near.seeksAmong(place.link_pair) ? near.reaches.of_limits[place.limits].all
+                                                       : near.heardOf(place);
+  const double gap = group.gap - travelOfLinks(near.cache, place);
+  return gap > std::max(near.byLinks(place), told);
 }
 
-/// Keeps how far groups are whose bodies are all far.
-void keepGaps(DistanceCache& cache) noexcept {
-  for (ListedGroup& group : cache.groups) {
-    if (!group.is_passed && !group.has_near) {
-      group.gap = group.least_gap + group.travel;
-    }
-  }
-}
+/// Where the next pair is written.
+struct KeptPairs {
+  PairId* candidate;
+  PairId* deferred;
+};
 
-/// Takes from the list what the distance cache does not prove to be far. Of elements refined in the
-/// last cycle, which are most likely refined again, it defers all bodies but the nearest. Has no
-/// branch for a body, as keepUnless.
-void cullByCache(const NearBodies& near, SettledPairs& settled, CycleBuffers& buffers) noexcept {
+/// Keeps the bodies of a group that the distance cache does not prove to be far. Of elements
+/// refined in the last cycle, which are most likely refined again, it defers all bodies but the
+/// nearest. @return [m] the least of ListedPair::gap
+double keepNear(const NearBodies& near, const GroupLimits& limits, const ListedGroup& group,
+                std::vector<ListedPair>& listed, KeptPairs& kept) noexcept {
   constexpr double kRounding = 1e-9;  // of the cached distance and of a new one
+  const DistanceCache& cache = near.cache;
+  const double travel_of_links = travelOfLinks(cache, group.place);
+  const double far = std::max(limits.near.by_links, limits.told) + travel_of_links;
+  double least = kInfinity;
+  for (std::uint32_t i = group.first; i < group.last; ++i) {
+    ListedPair& pair = listed[i];
+    if (!(pair.gap > far)) {
+      const double travel = cache.travels[index(pair.a)].all + cache.travels[index(pair.b)].all;
+      const double gap = cache.distances[index(pair.pair)] - travel - kRounding;
+      const bool is_near = !(gap > std::max(near.nearOf(limits.near, pair.a, pair.b), limits.told));
+      const bool waits = is_near & (gap > limits.nearest) & limits.is_measured;
+      pair.gap = gap + travel_of_links;
+      // Which bodies are near is hard to predict: no branch depends on it.
+      *kept.candidate = *kept.deferred = pair.pair;
+      kept.candidate += (is_near & !waits) ? 1 : 0;
+      kept.deferred += waits ? 1 : 0;
+    }
+    least = std::min(least, pair.gap);
+  }
+  return least;
+}
+
+/// Sorts a list without repetitions.
+void sortIds(MarkedPairs& marks, std::vector<PairId>& pairs) noexcept {
+  for (const PairId id : pairs) {
+    markPair(index(id), marks);
+  }
+  takeMarked(marks, pairs);
+}
+
+/// Lists the pairs that the distance cache does not prove to be far or settled. Groups whose bodies
+/// are all far keep how far they are.
+void cullByCache(const NearBodies& near, SettledPairs& settled, CycleBuffers& buffers) noexcept {
   DistanceCache& cache = buffers.memory.distance_cache;
-  passGroups(near, settled, buffers);
   buffers.candidates.resize(cache.listed.size());
   buffers.deferred.resize(cache.listed.size());
-  std::size_t kept = 0;
-  std::size_t deferred = 0;
-  for (const ListedPair& pair : cache.listed) {
-    ListedGroup& of = cache.groups[pair.place];
-    if (of.is_passed) {
+  KeptPairs kept{buffers.candidates.data(), buffers.deferred.data()};
+  for (ListedGroup& group : cache.groups) {
+    if (isGroupFar(near, group) || (!group.is_of_lone && settled.passOver(group.place))) {
       continue;
     }
-    const double travel = cache.travels[index(pair.a)].all + cache.travels[index(pair.b)].all;
-    const double gap = cache.distances[index(pair.pair)] - travel - kRounding;
-    const double limit =
-        std::max(near.nearOf({of.by_links, of.at_rest, of.stop}, pair.a, pair.b), of.told);
-    const bool is_near = !(gap > limit);
-    const bool waits = is_near & (gap > of.nearest) & of.is_measured;
-    of.least_gap = std::min(of.least_gap, gap);
-    of.has_near |= is_near;
-    buffers.candidates[kept] = buffers.deferred[deferred] = pair.pair;
-    kept += (is_near & !waits) ? 1 : 0;
-    deferred += waits ? 1 : 0;
+    const KeptPairs before = kept;
+    const GroupLimits limits = limitsOf(near, buffers.refine, group);
+    const double least = keepNear(near, limits, group, cache.listed, kept);
+    if (kept.candidate == before.candidate && kept.deferred == before.deferred) {
+      group.gap = least;
+    }
   }
-  buffers.candidates.resize(kept);
-  buffers.deferred.resize(deferred);
-  keepGaps(cache);
+  buffers.candidates.resize(static_cast<std::size_t>(kept.candidate - buffers.candidates.data()));
+  buffers.deferred.resize(static_cast<std::size_t>(kept.deferred - buffers.deferred.data()));
+  sortIds(cache.marks, buffers.candidates);
 }
 
 /// [m] Improves the cached lower bound of a distance by the bodies' spheres. @return the bound

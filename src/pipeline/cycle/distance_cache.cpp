@@ -135,6 +135,7 @@ DistanceCache makeDistanceCache(const CycleSetup& setup) {
   cache.measured_links.reserve(setup.checked.size());
   cache.listed.reserve(setup.table.size());
   cache.groups.reserve(setup.element_pairs.size());
+  cache.marks = MarkedPairs(setup.table.size());
   cache.group_of.resize(setup.element_pairs.size(), kNone);
   cache.group_of_lone.resize(setup.checked.size(), kNone);
   cache.lone = findLone(setup);

@@ -99,6 +99,22 @@ void dropFarther(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& 
   measured.erase(std::remove_if(measured.begin(), measured.end(), isFarther), measured.end());
 }
 
+/// Sorts distances by pair. Those before index `first` are sorted; mostly few follow, or none.
+void sortFrom(std::size_t first, std::vector<PairDistance>& distances) noexcept {
+  constexpr std::size_t kFew = 16;
+  const auto comesFirst = [](const PairDistance& x, const PairDistance& y) {
+    return x.pair < y.pair;
+  };
+  if (distances.size() - first > kFew) {
+    std::sort(distances.begin(), distances.end(), comesFirst);
+    return;
+  }
+  for (auto next = distances.begin() + static_cast<std::ptrdiff_t>(first); next != distances.end();
+       ++next) {
+    std::rotate(std::upper_bound(distances.begin(), next, *next, comesFirst), next, next + 1);
+  }
+}
+
 }  // namespace
 
 void keepNear(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
@@ -120,8 +136,7 @@ void measureDeferred(const CycleSetup& setup, const LinkPoses& poses,
     addPairs(setup, buffers.body_poses, buffers.deferred, buffers.distances);
     keepNearFrom(setup, poses, first, buffers);
     findNearestOfLinks(setup, first, buffers);
-    std::sort(measured.begin(), measured.end(),
-              [](const PairDistance& x, const PairDistance& y) { return x.pair < y.pair; });
+    sortFrom(first, measured);
     buffers.counters.culled_by_cache -= buffers.deferred.size();
   }
   dropFarther(setup, poses, buffers);

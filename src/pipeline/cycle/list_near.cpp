@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "pipeline/cycle/near_bodies.h"
 #include "pipeline/data/activation_distance.h"
@@ -74,54 +75,71 @@ void findCandidates(const CycleSetup& setup, const LinkPoses& poses, double marg
   buffers.counters.candidates = buffers.candidates.size();
 }
 
-void listCandidates(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
-  std::vector<ListedPair>& listed = buffers.memory.distance_cache.listed;
-  listed.clear();
-  for (const PairId id : buffers.candidates) {
-    listed.push_back({id, setup.table[id].a, setup.table[id].b});
-  }
+/// Drops the candidates that the cache proves to be far for as long as a list serves.
+void dropFar(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
+  constexpr double kRounding = 1e-9;  // of the cached distance
+  DistanceCache& cache = buffers.memory.distance_cache;
+  const NearBodies near = nearBodies(setup, poses, buffers);
+  const auto is_far = [&](PairId id) {
+    const BodyTravel& a = cache.travels[index(setup.table[id].a)];
+    const BodyTravel& b = cache.travels[index(setup.table[id].b)];
+    const double gap = cache.distances[index(id)] - (a.all + b.all) - kRounding;
+    return gap > near.highestLimitOf(a, b) + kListMargin;
+  };
+  std::vector<PairId>& candidates = buffers.candidates;
+  candidates.erase(std::remove_if(candidates.begin(), candidates.end(), is_far), candidates.end());
 }
 
-/// Lists the groups of the listed pairs.
-void listGroups(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
+/// Notes the motion by which isListGood tells how long the list serves.
+void noteMotion(const BodyPoses& body_poses, const BodyBounds& bounds,
+                DistanceCache& cache) noexcept {
+  const std::vector<IndexRange>& moved = body_poses.moved.bodies;
+  cache.listed_moved.assign(moved.begin(), moved.end());
+  forIndices(moved, [&](std::size_t i) noexcept {
+    cache.travels[i].all_when_listed = cache.travels[i].all;
+    cache.travels[i].ahead_when_listed = bounds.ahead[i];  // by this, boxes were grown
+  });
+}
+
+/// Where the index of a pair's group is kept; kNone before it is met.
+std::uint32_t& groupOf(const CycleSetup& setup, PairId id, DistanceCache& cache) noexcept {
+  return areLone(cache, setup.table[id]) ? cache.group_of_lone[setup.link_pair_of[index(id)]]
+                                         : cache.group_of[setup.element_pair_of[index(id)]];
+}
+
+/// Makes the groups of the candidates. `last` counts the pairs of each.
+void makeGroups(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
   const NearBodies near = nearBodies(setup, poses, buffers);
   DistanceCache& cache = buffers.memory.distance_cache;
   cache.groups.clear();
-  for (ListedPair& pair : cache.listed) {
-    const bool are_lone = areLone(cache, pair);
-    std::uint32_t& place = are_lone ? cache.group_of_lone[setup.link_pair_of[index(pair.pair)]]
-                                    : cache.group_of[setup.element_pair_of[index(pair.pair)]];
-    if (place == kNone) {
-      place = static_cast<std::uint32_t>(cache.groups.size());
-      cache.groups.push_back({near.placeOf(pair.pair), are_lone});
+  for (const PairId id : buffers.candidates) {
+    std::uint32_t& group = groupOf(setup, id, cache);
+    if (group == kNone) {
+      group = static_cast<std::uint32_t>(cache.groups.size());
+      cache.groups.push_back({near.placeOf(id), areLone(cache, setup.table[id])});
     }
-    pair.place = place;
+    ++cache.groups[group].last;
+  }
+}
+
+/// Lists the candidates group by group.
+void listGroups(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
+  DistanceCache& cache = buffers.memory.distance_cache;
+  makeGroups(setup, poses, buffers);
+  std::uint32_t first = 0;
+  for (ListedGroup& group : cache.groups) {
+    group.first = std::exchange(first, first + group.last);
+    group.last = group.first;
+  }
+  cache.listed.resize(first);
+  for (const PairId id : buffers.candidates) {
+    const BodyPair& pair = setup.table[id];
+    cache.listed[cache.groups[groupOf(setup, id, cache)].last++] = {id, pair.a, pair.b};
   }
   for (const ListedGroup& group : cache.groups) {
     cache.group_of[group.place.elements] = kNone;
     cache.group_of_lone[group.place.link_pair] = kNone;
   }
-}
-
-/// Keeps the candidates that the cache does not prove to be far for as long as the list serves.
-void keepListed(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
-  constexpr double kRounding = 1e-9;  // of the cached distance
-  DistanceCache& cache = buffers.memory.distance_cache;
-  const NearBodies near = nearBodies(setup, poses, buffers);
-  const auto is_far = [&](const ListedPair& pair) {
-    const BodyTravel& a = cache.travels[index(pair.a)];
-    const BodyTravel& b = cache.travels[index(pair.b)];
-    const double gap = cache.distances[index(pair.pair)] - (a.all + b.all) - kRounding;
-    return gap > near.highestLimitOf(a, b) + kListMargin;
-  };
-  cache.listed.erase(std::remove_if(cache.listed.begin(), cache.listed.end(), is_far),
-                     cache.listed.end());
-  const std::vector<IndexRange>& moved = buffers.body_poses.moved.bodies;
-  cache.listed_moved.assign(moved.begin(), moved.end());
-  forIndices(moved, [&](std::size_t i) noexcept {
-    cache.travels[i].all_when_listed = cache.travels[i].all;
-    cache.travels[i].ahead_when_listed = buffers.bounds.ahead[i];  // by this, boxes were grown
-  });
 }
 
 }  // namespace
@@ -134,9 +152,9 @@ void listNear(const CycleSetup& setup, const LinkPoses& poses, bool have_links_c
     // After a change few distances are known.
     cache.is_listed = !have_links_changed && isWorthListing(setup, buffers);
     findCandidates(setup, poses, cache.is_listed ? kListMargin : 0.0, buffers);
-    listCandidates(setup, buffers);
     if (cache.is_listed) {
-      keepListed(setup, poses, buffers);
+      dropFar(setup, poses, buffers);
+      noteMotion(buffers.body_poses, buffers.bounds, cache);
     }
     listGroups(setup, poses, buffers);
   }

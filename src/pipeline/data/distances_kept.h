@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "broad_phase/marked_pairs.h"
 #include "collision_monitor/geometry/ids.h"
 #include "collision_monitor/pipeline/element.h"
 #include "pipeline/data/moved_parts.h"
@@ -38,24 +39,13 @@ struct ElementsPlace {
   std::uint32_t limits{0};       ///< as CheckedLinkPair
 };
 
-/// Bodies of a list, and what a cycle finds out about all of them: those of two elements, or all
-/// lone bodies of two links.
+/// Listed pairs that follow each other: those of two elements, or all lone ones of two links.
 struct ListedGroup {
   ElementsPlace place;  ///< of its elements; if it is of lone bodies, of any of them
   bool is_of_lone{false};
-  /// [m] A lower bound for all listed bodies plus the travel of both links, as
-  /// DistanceCache::elements.
-  double gap{-std::numeric_limits<double>::infinity()};
-  double travel{0.0};       ///< [m] of both links
-  double least_gap{0.0};    ///< [m] the least lower bound of a listed body
-  double by_links{0.0};     ///< [m] bodies matter up to this distance, by the motion of both links
-  double at_rest{0.0};      ///< [m] or up to this and their motion ahead
-  double stop{0.0};         ///< [m]
-  double nearest{0.0};      ///< [m] bodies farther than this are not the nearest of two elements
-  double told{0.0};         ///< [m] up to this distance the nearest bodies matter
-  bool is_passed{false};    ///< none of its bodies matters
-  bool is_measured{false};  ///< in the last cycle
-  bool has_near{false};     ///< some of its bodies matter
+  std::uint32_t first{0};  ///< [first, last) of DistanceCache::listed
+  std::uint32_t last{0};
+  double gap{-std::numeric_limits<double>::infinity()};  ///< [m] at most ListedPair::gap of any
 };
 
 /// A pair of bodies that can be near.
@@ -63,7 +53,8 @@ struct ListedPair {
   PairId pair{};
   BodyId a{};
   BodyId b{};
-  std::uint32_t place{0};  ///< index into DistanceCache::groups
+  /// [m] A lower bound of their distance plus the travel of both links, as DistanceCache::elements.
+  double gap{-std::numeric_limits<double>::infinity()};
 };
 
 /// Bits of DistanceCache::lone.
@@ -93,7 +84,8 @@ struct DistanceCache {
   std::vector<double> links;
   /// The pairs that can be near before bodies use up kListMargin; without a list, in this cycle.
   std::vector<ListedPair> listed;
-  std::vector<ListedGroup> groups;      ///< of `listed`
+  std::vector<ListedGroup> groups;      ///< of `listed`, in its order
+  MarkedPairs marks;                    ///< scratch that sorts pairs; empty between two uses
   std::vector<std::uint32_t> group_of;  ///< by ElementPairIndex: scratch, kNone between two lists
   std::vector<std::uint32_t> group_of_lone;  ///< by LinkPairIndex, as group_of
   std::vector<unsigned char> lone;           ///< by BodyId: kLone, kOfSeveral
