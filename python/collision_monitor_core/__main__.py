@@ -68,7 +68,7 @@ def joint_values(pairs: List["tuple[str, float]"]) -> Dict[str, float]:
     values = dict(pairs)
     twice = sorted({name for name in values if sum(name == one for one, _ in pairs) > 1})
     if twice:
-        raise ArgumentError([f"joint '{name}' stands twice" for name in twice])
+        raise ArgumentError([f"joint '{name}' stands twice; give it once" for name in twice])
     return values
 
 

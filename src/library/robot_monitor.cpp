@@ -110,7 +110,7 @@ JointPositions RobotMonitor::stateOf(const std::vector<std::string>& joints,
     if (place == names.end()) {
       faults.add([&] { return noVariable(*parts_, joints[i]); });
     } else if (!seen.insert(joints[i]).second) {
-      faults.add([&] { return "joint " + quoted(joints[i]) + " stands twice"; });
+      faults.add([&] { return "joint " + quoted(joints[i]) + " stands twice; give it once"; });
     } else {
       state[static_cast<std::size_t>(place - names.begin())] = positions[i];
     }

@@ -24,6 +24,7 @@ ResourceLoader makeLoader(const RobotSource& source) {
   LoadRules rules;
   rules.schemes = source.schemes;
   rules.package_roots.assign(source.package_roots.begin(), source.package_roots.end());
+  rules.package_places = "below --package-root, or where ROS_PACKAGE_PATH leads to";
   return makeResourceLoader(rules);
 }
 

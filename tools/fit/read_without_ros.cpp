@@ -8,6 +8,8 @@ namespace collision_monitor::fit_tool {
 ResourceLoader makeLoader(const RobotSource& source) {
   FileSources sources;
   sources.package_roots.assign(source.package_roots.begin(), source.package_roots.end());
+  sources.package_places =
+      "below --package-root, or where ROS_PACKAGE_PATH and AMENT_PREFIX_PATH lead to";
   return makeFileLoader(sources);
 }
 

@@ -53,7 +53,6 @@ class FileLoader {
     }
     if (folder->second.empty()) {
       throw std::runtime_error("package '" + file.package + "' is not found " +
-                               (sources_.package_roots.empty() ? "" : "in the package roots or ") +
                                sources_.package_places);
     }
     return folder->second + file.path;

@@ -19,8 +19,9 @@ struct FileSources {
   /// Looked at before find_package, in order: each is a package or a folder of packages.
   std::vector<std::filesystem::path> package_roots;
   std::function<std::string(const std::string& name)> find_package{findPackage};  ///< "": not there
-  /// The places of find_package, for messages.
-  std::string package_places{"where ROS_PACKAGE_PATH and AMENT_PREFIX_PATH lead to"};
+  /// Where packages are looked for, for messages.
+  std::string package_places{
+      "in the package roots, or where ROS_PACKAGE_PATH and AMENT_PREFIX_PATH lead to"};
   ResourceLoader load_other;  ///< loads or refuses other schemes; empty: all are refused
   std::uintmax_t max_size{kUsualFileSize};  ///< [bytes] of a file
 };

@@ -3,12 +3,12 @@
 #include "model/second_reader/compare_readings.h"
 
 #include <Eigen/Geometry>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <set>
 #include <utility>
 
+#include "model/joint_type_names.h"
 #include "model/name_index.h"
 #include "model/place.h"
 
@@ -30,12 +30,6 @@ JointType typeOf(const urdf::Joint& joint) {
     default:
       return JointType::fixed;
   }
-}
-
-const char* typeText(JointType type) {
-  constexpr std::array<const char*, 6> kNames = {"fixed",     "revolute", "continuous",
-                                                 "prismatic", "planar",   "floating"};
-  return kNames.at(static_cast<std::size_t>(type));
 }
 
 /// A mimic joint's relation to the joint at the end of its chain.
@@ -129,8 +123,8 @@ class RobotComparison {
  private:
   void compareJoint(const std::string& element, const Joint& ours, const urdf::Joint& theirs) {
     if (ours.type != typeOf(theirs)) {
-      differences_.add(element, std::string("type ") + typeText(ours.type),
-                       std::string("type ") + typeText(typeOf(theirs)));
+      differences_.add(element, std::string("type ") + nameOf(ours.type),
+                       std::string("type ") + nameOf(typeOf(theirs)));
       return;  // further differences would only follow from this one
     }
     compareEnd(element, "parent", ours.parent, theirs.parent_link_name);

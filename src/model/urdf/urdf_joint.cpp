@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "geometry/constants.h"
+#include "model/joint_type_names.h"
 #include "model/urdf/urdf_elements.h"
 #include "model/xml_document.h"
 
@@ -11,20 +12,10 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-struct TypeName {
-  const char* name;
-  JointType type;
-};
-
-constexpr TypeName kTypeNames[] = {
-    {"fixed", JointType::fixed},           {"revolute", JointType::revolute},
-    {"continuous", JointType::continuous}, {"prismatic", JointType::prismatic},
-    {"planar", JointType::planar},         {"floating", JointType::floating}};
-
 JointType readType(const XMLElement& element, const Place& place) {
   const char* const accepted = "fixed, revolute, continuous, prismatic, planar or floating";
   const char* text = element.Attribute("type");
-  for (const TypeName& known : kTypeNames) {
+  for (const JointTypeName& known : kJointTypeNames) {
     if (text != nullptr && std::string(text) == known.name) {
       return known.type;
     }

@@ -52,7 +52,7 @@ ResourceLoader makeResourceLoader(const LoadRules& rules) {
   FileSources sources;
   sources.package_roots = rules.package_roots;
   sources.find_package = askRospack;
-  sources.package_places = "where ROS_PACKAGE_PATH leads to";
+  sources.package_places = rules.package_places;
   sources.load_other = makeDownloader(rules);
   sources.max_size = rules.max_size;
   return makeFileLoader(sources);

@@ -18,6 +18,7 @@ struct LoadRules {
   std::vector<std::string> schemes;  ///< allowed beside package and file, such as http; lower case
   double download_time{30.0};        ///< [s] from the name look-up to the end of the download
   std::vector<std::filesystem::path> package_roots;  ///< looked at before ROS_PACKAGE_PATH
+  std::string package_places{"where ROS_PACKAGE_PATH leads to"};  ///< as in FileSources
 };
 
 /// Reads files as makeFileLoader, and asks rospack for packages. Fetches other allowed schemes by

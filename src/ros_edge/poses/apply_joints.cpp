@@ -10,6 +10,7 @@
 
 #include "collision_monitor/model/kinematics.h"
 #include "model/few_texts.h"
+#include "model/joint_type_names.h"
 #include "model/nearest_name.h"
 #include "model/number_text.h"
 #include "model/place.h"
@@ -39,33 +40,34 @@ std::string unknownJoint(const RobotModel& model, const std::string& name) {
          (similar.empty() && !accepted.empty() ? "; accepted: " + someOf(accepted) : similar);
 }
 
-/// Number of occurrences of each name in a request.
-using NameCounts = std::unordered_map<std::string_view, std::size_t>;
+/// The first entry of each name in a request.
+using FirstEntries = std::unordered_map<std::string_view, std::size_t>;
 
-NameCounts countNames(const std::vector<std::string>& names) {
-  NameCounts counts;
-  for (const std::string& name : names) {
-    ++counts[name];
+FirstEntries firstEntries(const std::vector<std::string>& names) {
+  FirstEntries entries;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    entries.emplace(names[i], i);
   }
-  return counts;
+  return entries;
 }
 
-/// The fault of one entry; empty if there is none.
+/// The fault of entry `i`; empty if there is none.
 /// @pre the model has the joint
-std::string fault(const RobotModel& model, const Joint& joint, double position,
-                  const NameCounts& counts) {
+std::string fault(const RobotModel& model, const Joint& joint, std::size_t i, double position,
+                  const FirstEntries& entries) {
   const std::string named = "joint '" + joint.name + "'";
   if (!hasOneVariable(joint)) {
-    return named + " is fixed, planar or floating, and a JointState cannot place it; leave it out";
+    return named + " is " + nameOf(joint.type) + ", and a JointState cannot place it; leave it out";
   }
-  if (joint.mimic && counts.count(model.joint(joint.mimic->source).name) == 0) {
+  if (joint.mimic && entries.count(model.joint(joint.mimic->source).name) == 0) {
     return named + " follows '" + model.joint(joint.mimic->source).name + "'; name that one";
   }
   const std::string of_number = numberFault(position);
   if (!of_number.empty()) {
     return "the position of " + named + " " + of_number;
   }
-  return counts.at(joint.name) > 1 ? named + " stands twice" : "";
+  const std::size_t first = entries.at(joint.name);
+  return first == i ? "" : named + " stands at [" + std::to_string(first) + "], too; give it once";
 }
 
 NamedPositions readPositions(const RobotModel& model, const sensor_msgs::JointState& joints) {
@@ -117,19 +119,16 @@ void placeLink(const RobotModel& model, std::size_t link, const Pose& pose, Link
 }  // namespace
 
 std::string numberFault(double number) {
-  if (!std::isfinite(number)) {
-    return "is not finite";
-  }
   return std::abs(number) <= kFarthest ? "" : "is " + shortText(number) + "; accepted: -1e9 to 1e9";
 }
 
 std::vector<std::string> jointFaults(const RobotModel& model, const sensor_msgs::JointState& joints,
                                      const std::string& names) {
   if (joints.name.size() != joints.position.size()) {
-    return {"joints has " + counted(joints.name.size(), "name") + " and " +
+    return {names + " has " + counted(joints.name.size(), "name") + " for " +
             counted(joints.position.size(), "position") + "; give one position for each name"};
   }
-  const NameCounts counts = countNames(joints.name);
+  const FirstEntries entries = firstEntries(joints.name);
   std::unordered_set<std::string_view> unknown;
   FewTexts faults;
   for (std::size_t i = 0; i < joints.name.size(); ++i) {
@@ -141,7 +140,7 @@ std::vector<std::string> jointFaults(const RobotModel& model, const sensor_msgs:
       }
       continue;
     }
-    const std::string text = fault(model, model.joint(*id), joints.position[i], counts);
+    const std::string text = fault(model, model.joint(*id), i, joints.position[i], entries);
     if (!text.empty()) {
       faults.add([&] { return place() + text; });
     }

@@ -11,7 +11,8 @@
 
 namespace collision_monitor {
 
-/// The fault of a joint's position or velocity: "is not finite"; empty if there is none.
+/// The fault of a joint's position or velocity: "is nan; accepted: -1e9 to 1e9"; empty if there is
+/// none.
 std::string numberFault(double number);
 
 /// Faults of `joints`: a few sentences and the number of others. The time is linear in the names.

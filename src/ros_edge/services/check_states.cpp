@@ -11,6 +11,7 @@
 
 #include "model/place.h"
 #include "pipeline/states/check_states.h"
+#include "ros_edge/outputs/sentences.h"
 #include "ros_edge/poses/apply_joints.h"
 #include "ros_edge/poses/floating_parts.h"
 #include "ros_edge/robots/missing.h"
@@ -65,24 +66,60 @@ std::vector<int> placesOf(const RobotModel& model, const std::vector<std::string
   return places;
 }
 
+/// The states of a request without faults.
+struct AskedStates {
+  const CheckStates::Request& request;
+  std::size_t count;
+  std::vector<int> places;  ///< as placesOf
+};
+
 struct StateRange {
   std::size_t first;
   std::size_t last;  ///< one past the end
 };
 
+/// States of which a number is not finite or beyond 1e9.
+struct InvalidStates {
+  std::size_t count{0};
+  std::size_t first{0};  ///< the first such number in CheckStates::Request::positions
+};
+
+bool isValid(double position) { return std::abs(position) <= kFarthest; }
+
 /// NaN if a number of the state is invalid: the state is then unknown.
-void positionsOf(const CheckStates::Request& request, const std::vector<int>& places,
-                 const StateRange& range, JointPositions& positions) {
+void positionsOf(const AskedStates& asked, const StateRange& range, JointPositions& positions,
+                 InvalidStates& invalid) {
   positions.clear();
+  const std::vector<double>& numbers = asked.request.positions;
+  const std::size_t joints = asked.request.joint_names.size();
   for (std::size_t state = range.first; state < range.last; ++state) {
-    const std::size_t joints = request.joint_names.size();
-    const double* first = request.positions.data() + state * joints;
-    const bool is_valid = std::all_of(
-        first, first + joints, [](double position) { return std::abs(position) <= kFarthest; });
-    for (const int place : places) {
+    const double* first = numbers.data() + state * joints;
+    const double* const fault = std::find_if_not(first, first + joints, isValid);
+    const bool is_valid = fault == first + joints;
+    if (!is_valid && invalid.count++ == 0) {
+      invalid.first = static_cast<std::size_t>(fault - numbers.data());
+    }
+    for (const int place : asked.places) {
       positions.push_back(is_valid ? (place < 0 ? 0.0 : first[place]) : kNotANumber);
     }
   }
+}
+
+/// "; positions[3], of joint 'elbow' in state 1, is nan; accepted: -1e9 to 1e9; 4 more such
+/// states"; empty if there are none.
+std::string invalidText(const CheckStates::Request& request, const InvalidStates& invalid) {
+  if (invalid.count == 0) {
+    return "";
+  }
+  const std::size_t joints = request.joint_names.size();
+  const std::string more = invalid.count == 1
+                               ? ""
+                               : "; " + std::to_string(invalid.count - 1) + " more such " +
+                                     (invalid.count == 2 ? "state" : "states");
+  return "; positions[" + std::to_string(invalid.first) + "], of joint " +
+         quoted(request.joint_names[invalid.first % joints]) + " in state " +
+         std::to_string(invalid.first / joints) + ", " +
+         numberFault(request.positions[invalid.first]) + more;
 }
 
 void addCheck(const CycleSetup& setup, const StateCheck& check, CheckStates::Response& response) {
@@ -107,6 +144,33 @@ std::string summaryText(const CheckStates::Response& response) {
          count(State::UNKNOWN) + " unknown";
 }
 
+/// Judges all states. @return false if `progress` gave up; then the response says so
+bool judgeAll(const CycleSetup& setup, const AskedStates& asked,
+              const std::function<bool(double)>& progress, StatesWork& work, InvalidStates& invalid,
+              CheckStates::Response& response) {
+  const StateQuestion question =
+      asked.request.only_contacts != 0 ? StateQuestion::contact : StateQuestion::nearest;
+  const auto check = asked.request.enclosing_shapes != 0 ? checkStates : checkStatesExactly;
+  const std::size_t count = asked.count;
+  JointPositions positions;
+  std::vector<StateCheck> checks;
+  for (std::size_t first = 0; first < count; first += kStatesAtOnce) {
+    const std::size_t last = std::min(count, first + kStatesAtOnce);
+    positionsOf(asked, {first, last}, positions, invalid);
+    check(setup, positions, question, work, checks);
+    for (const StateCheck& one : checks) {
+      addCheck(setup, one, response);
+    }
+    if (progress && !progress(static_cast<double>(last) / static_cast<double>(count))) {
+      response = CheckStates::Response();
+      response.message = "given up after " + std::to_string(last) + " of " + std::to_string(count) +
+                         " states: the monitor ends";
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 void answerCheckStates(const MonitorSetup& current, const NewestState& newest,
@@ -117,33 +181,17 @@ void answerCheckStates(const MonitorSetup& current, const NewestState& newest,
   const std::size_t count = countStates(setup.model, request, faults);
   response.success = faults.empty() ? 1 : 0;
   if (!faults.empty()) {
-    for (const std::string& fault : faults) {
-      response.message += (response.message.empty() ? "" : "; ") + fault;
-    }
+    response.message = join(faults);
     return;
   }
-  const std::vector<int> places = placesOf(setup.model, request.joint_names);
-  std::vector<bool> moves(places.size());
-  std::transform(places.begin(), places.end(), moves.begin(), [](int place) { return place >= 0; });
+  const AskedStates asked{request, count, placesOf(setup.model, request.joint_names)};
+  std::vector<bool> moves(asked.places.size());
+  std::transform(asked.places.begin(), asked.places.end(), moves.begin(),
+                 [](int place) { return place >= 0; });
   StatesWork work = makeStatesWork(setup, standingAs(setup.model, newest.poses, moves));
-  const StateQuestion question =
-      request.only_contacts != 0 ? StateQuestion::contact : StateQuestion::nearest;
-  const auto check = request.enclosing_shapes != 0 ? checkStates : checkStatesExactly;
-  JointPositions positions;
-  std::vector<StateCheck> checks;
-  for (std::size_t first = 0; first < count; first += kStatesAtOnce) {
-    const std::size_t last = std::min(count, first + kStatesAtOnce);
-    positionsOf(request, places, {first, last}, positions);
-    check(setup, positions, question, work, checks);
-    for (const StateCheck& one : checks) {
-      addCheck(setup, one, response);
-    }
-    if (progress && !progress(static_cast<double>(last) / static_cast<double>(count))) {
-      response = CheckStates::Response();
-      response.message = "given up after " + std::to_string(last) + " of " + std::to_string(count) +
-                         " states: the monitor ends";
-      return;
-    }
+  InvalidStates invalid;
+  if (!judgeAll(setup, asked, progress, work, invalid, response)) {
+    return;
   }
   const std::string missing = missingSentence(current);
   for (std::uint8_t& level : response.levels) {
@@ -151,7 +199,8 @@ void answerCheckStates(const MonitorSetup& current, const NewestState& newest,
   }
   const std::string floating =
       floatingPartsText(setup.model, work.poses, setup.checked, newest.reasons);
-  response.message = summaryText(response) + (missing.empty() ? "" : "; " + missing) +
+  response.message = summaryText(response) + invalidText(request, invalid) +
+                     (missing.empty() ? "" : "; " + missing) +
                      (floating.empty() ? "" : "; " + floating);
 }
 

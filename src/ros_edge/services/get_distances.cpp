@@ -26,8 +26,8 @@
 namespace collision_monitor {
 namespace {
 
-std::string nothingToMeasure(const char* field, const std::string& name) {
-  return std::string(field) + ": link '" + name + "' has no collision geometry; leave it out";
+std::string nothingToMeasure(const std::string& place, const std::string& name) {
+  return place + ": link '" + name + "' has no collision geometry; leave it out";
 }
 
 LinkSet findLinks(const CycleSetup& setup, const std::vector<std::string>& names, const char* field,
@@ -36,14 +36,16 @@ LinkSet findLinks(const CycleSetup& setup, const std::vector<std::string>& names
   LinkSet links(model.links.size(), names.empty() ? 1 : 0);
   FewTexts found;
   std::unordered_set<std::string_view> unknown;
-  for (const std::string& name : names) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string& name = names[i];
+    const auto place = [&] { return field + ("[" + std::to_string(i) + "]"); };
     const auto link = model.findLink(name);
     if (!link) {
       if (unknown.insert(name).second) {
-        found.add([&] { return noSuchLink(model, field, name); });
+        found.add([&] { return noSuchLink(model, place(), name); });
       }
     } else if (!hasShapes(model.link(*link))) {
-      found.add([&] { return nothingToMeasure(field, name); });
+      found.add([&] { return nothingToMeasure(place(), name); });
     } else {
       links[index(*link)] = 1;
     }

@@ -88,7 +88,7 @@ TEST(RobotMonitor, stateOfWithFaults_namesThemAll) {
   } catch (const ArgumentError& fault) {
     EXPECT_EQ(fault.faults(),
               (std::vector<std::string>{
-                  "joint '" + first + "' stands twice",
+                  "joint '" + first + "' stands twice; give it once",
                   "there is no joint 'nonsense'; accepted: " + first +
                       ", shoulder_lift_joint, elbow_joint, wrist_1_joint, wrist_2_joint, "
                       "wrist_3_joint and left_finger_joint",

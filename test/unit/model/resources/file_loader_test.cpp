@@ -54,11 +54,11 @@ TEST(FileLoader, packageThatIsNotThere_isLookedUpOnce_andTheErrorNamesThePlaces)
   EXPECT_THROW(load("package://my_arm/b.stl"), std::runtime_error);
   EXPECT_EQ(searches, 1);
   EXPECT_EQ(faultOfLoading("package://my_arm/a.stl", sources),
-            "package 'my_arm' is not found where ROS_PACKAGE_PATH and AMENT_PREFIX_PATH lead to");
-  sources.package_roots = {"/nowhere"};
-  EXPECT_EQ(faultOfLoading("package://my_arm/a.stl", sources),
-            "package 'my_arm' is not found in the package roots or where ROS_PACKAGE_PATH and "
+            "package 'my_arm' is not found in the package roots, or where ROS_PACKAGE_PATH and "
             "AMENT_PREFIX_PATH lead to");
+  sources.package_places = "below --package-root";
+  EXPECT_EQ(faultOfLoading("package://my_arm/a.stl", sources),
+            "package 'my_arm' is not found below --package-root");
 }
 
 TEST(FileLoader, fileThatIsMissingInARoot_isNamed) {

@@ -29,7 +29,17 @@ TEST_F(CheckStatesServiceTest, everyStateIsJudged) {
   EXPECT_EQ(response.links_a[2], "base");
   EXPECT_EQ(response.links_b[2], "tool");
   EXPECT_EQ(response.links_a[3], "");
-  EXPECT_EQ(response.message, "4 states: 1 in contact, 1 unknown");
+  EXPECT_EQ(response.message,
+            "4 states: 1 in contact, 1 unknown; positions[3], of joint 'reach' in state 3, is nan; "
+            "accepted: -1e9 to 1e9");
+}
+
+TEST_F(CheckStatesServiceTest, ofManyInvalidStates_theFirstIsNamed) {
+  request_.joint_names = {"slide", "reach"};
+  request_.positions = {0.0, 0.0, 0.0, 2e9, std::nan(""), 0.0, 0.0, -2e9};
+  EXPECT_EQ(ask().message,
+            "4 states: 0 in contact, 3 unknown; positions[3], of joint 'reach' in state 1, is "
+            "2e+09; accepted: -1e9 to 1e9; 2 more such states");
 }
 
 TEST_F(CheckStatesServiceTest, whileARobotIsMissing_noStateIsClear) {

@@ -51,7 +51,7 @@ TEST_F(CheckTrajectoryFaults, numberThatIsNotFinite_namesJointAndPoint) {
   addPoint(1.0, std::numeric_limits<double>::infinity());
   const auto response = ask();
   EXPECT_FALSE(response.success);
-  EXPECT_EQ(response.message, "points[1].positions of joint 'reach' is not finite");
+  EXPECT_EQ(response.message, "points[1].positions of joint 'reach' is inf; accepted: -1e9 to 1e9");
   request_.trajectory = trajectory_msgs::JointTrajectory();
   EXPECT_FALSE(ask().success) << "nothing is named";
 }

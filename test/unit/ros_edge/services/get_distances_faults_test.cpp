@@ -35,11 +35,26 @@ TEST_F(GetDistancesFaults, everyFaultIsNamed) {
   EXPECT_FALSE(response.success);
   EXPECT_EQ(response.distances.closest, -1) << "there is no pair";
   for (const char* text :
-       {"did you mean 'tool'", "'antenna' has no collision geometry",
-        "max_distance is not a number", "did you mean 'slide'", "'mast' is fixed",
-        "'follow' follows 'slide'", "'reach' is not finite"}) {
+       {"links_a[0]: there is no link 'tol', did you mean 'tool'",
+        "links_b[0]: link 'antenna' has no collision geometry", "max_distance is not a number",
+        "did you mean 'slide'", "'mast' is fixed, and", "'follow' follows 'slide'",
+        "joints.name[3]: the position of joint 'reach' is inf; accepted: -1e9 to 1e9"}) {
     EXPECT_NE(response.message.find(text), std::string::npos) << text << " in " << response.message;
   }
+}
+
+TEST_F(GetDistancesFaults, jointThatStandsTwice_isNamedWithItsFirstEntry) {
+  move("slide", 0.0);
+  move("reach", 0.0);
+  move("slide", 0.1);
+  EXPECT_EQ(ask().message, "joints.name[2]: joint 'slide' stands at [0], too; give it once");
+}
+
+TEST_F(GetDistancesFaults, nameWithoutPosition_namesTheField) {
+  move("slide", 0.0);
+  request_.joints.name.emplace_back("reach");
+  EXPECT_EQ(ask().message,
+            "joints.name has 2 names for 1 position; give one position for each name");
 }
 
 TEST_F(GetDistancesFaults, unknownNames_areAnsweredWithThoseThatAreAccepted) {
@@ -47,7 +62,7 @@ TEST_F(GetDistancesFaults, unknownNames_areAnsweredWithThoseThatAreAccepted) {
   move("nothing", 0.0);
   const std::string message = ask().message;
   EXPECT_EQ(message.find("did you mean"), std::string::npos) << message;
-  EXPECT_NE(message.find("links_a: there is no link 'antena'; accepted: "), std::string::npos)
+  EXPECT_NE(message.find("links_a[0]: there is no link 'antena'; accepted: "), std::string::npos)
       << message;
   EXPECT_NE(message.find("joints.name[0]: there is no joint 'nothing'; accepted: "),
             std::string::npos)
