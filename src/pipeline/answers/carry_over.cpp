@@ -157,35 +157,6 @@ class LinkMotions {
   LinkMotion of_carrier_;
 };
 
-/// Lengthens the travel of a link and its bodies by its turn between the poses that their distances
-/// were cached for and those of the last cycle, and so what nearest bodies may be apart. The
-/// centers of bodies tell the rest.
-void addTurn(const CycleSetup& to, const std::vector<double>& turns, DistanceCache& cache) {
-  constexpr double kNotRigid = 1.0 + 10.0 * kRigid;  // as for the travel of a cycle
-  constexpr double kRounding = 1e-12;
-  std::vector<double> farthest(turns.size(), 0.0);  // by LinkId
-  for (std::size_t i = 0; i < to.bodies.size(); ++i) {
-    const std::size_t link = index(to.bodies[i].link);
-    if (turns[link] > 0.0) {
-      const double travel = kNotRigid * turns[link] * to.bodies[i].bounding_radius + kRounding;
-      cache.travels[i].all += travel;
-      farthest[link] = std::max(farthest[link], travel);
-    }
-  }
-  const auto ofLinks = [&](LinkPairIndex i) {
-    return farthest[index(to.checked[i].a)] + farthest[index(to.checked[i].b)];
-  };
-  for (std::size_t i = 0; i < to.bodies.size(); ++i) {
-    cache.travels[i].of_link_all += farthest[index(to.bodies[i].link)];
-  }
-  for (const ElementPairIndex i : cache.measured_pairs) {
-    cache.nearest[i] += ofLinks(to.element_pairs[i].link_pair);
-  }
-  for (const LinkPairIndex i : cache.measured_links) {
-    cache.nearest_of_links[i] += ofLinks(i);
-  }
-}
-
 /// Objects count as settled if they stood in the last cycle where the new set-up was prepared.
 Rest restOf(std::size_t first_link, const LinkPoses& poses, const LastPoses& last,
             const VelocityTracker& tracker) {
@@ -249,14 +220,8 @@ void carryMotion(const CarryPlan& plan, const CycleSetup& to, const FormerMotion
   LinkMotions motions(plan, model, former, poses);
   LastPoses& last = memory.last;
   bool has_changed = false;
-  std::vector<double> turns;
-  turns.reserve(model.links.size());
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     const LinkMotion motion = motions.of(i);
-    turns.push_back(
-        last.known[i] == 0
-            ? 0.0
-            : (motion.world_from_link.rotation - last.world_from_link[i].rotation).norm());
     const unsigned char is_known = motion.is_known && hasShapes(model.links[i]) ? 1 : 0;
     has_changed |= is_known != last.known[i] || (is_known != 0 && motion.part != last.part[i]);
     last.world_from_link[i] = motion.world_from_link;
@@ -276,11 +241,7 @@ void carryMotion(const CarryPlan& plan, const CycleSetup& to, const FormerMotion
     tracker.stamp_ns[i] = plan.robot_of[i] == kNone ? former.poses.stamp_ns
                                                     : former.tracker.stamp_ns[plan.robot_of[i]];
   }
-  addTurn(to, turns, memory.distance_cache);
-  if (has_changed) {
-    memory.judges_all = true;
-    forgetDistances(memory.distance_cache);
-  }
+  memory.judges_all = memory.judges_all || has_changed;
 }
 
 }  // namespace collision_monitor

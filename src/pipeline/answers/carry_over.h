@@ -39,8 +39,7 @@ struct FormerMotion {
 /// carrier had it then, if it had been joined to it as now: a move by a user is no motion. A new
 /// frame counts as at rest if only static transforms place it.
 ///
-/// Distances that `memory` has cached stay lower bounds. If other links were known, they are
-/// forgotten, and the first cycle judges all pairs.
+/// If other links were known, the first cycle judges all pairs.
 /// @param poses those that memory was learnt with, see keepPoses
 void carryMotion(const CarryPlan& plan, const CycleSetup& to, const FormerMotion& former,
                  const LinkPoses& poses, PairMemory& memory, VelocityTracker& tracker);

@@ -72,7 +72,9 @@ void forgetPoses(CycleBuffers& buffers) noexcept {
   buffers.memory.refined.forgetAll();
   std::fill(buffers.memory.starved_cycles.begin(), buffers.memory.starved_cycles.end(), 0);
   LastPoses& last = buffers.memory.last;
+  std::vector<unsigned char>& placed = buffers.memory.distance_cache.placed.known;
   std::fill(last.known.begin(), last.known.end(), 0);
+  std::fill(placed.begin(), placed.end(), 0);
   std::fill(last.rests.begin(), last.rests.end(), Rest());
   last.stamp_ns = 0;
   std::fill(buffers.sweep.has_motion.begin(), buffers.sweep.has_motion.end(), 0);

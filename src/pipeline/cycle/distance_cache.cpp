@@ -6,11 +6,12 @@
 
 #include "geometry/constants.h"
 #include "pipeline/cycle/cycle_buffers.h"
+#include "pipeline/look_ahead/find_motions.h"
 
 namespace collision_monitor {
 namespace {
 
-bool hasNewLink(const BodyPoses& body_poses, const LastPoses& last) noexcept {
+bool hasNewLink(const BodyPoses& body_poses, const PlacedLinks& last) noexcept {
   bool has_new = false;
   forIndices(body_poses.moved.links, [&](std::size_t link) noexcept {
     has_new |= body_poses.link_known[link] > last.known[link] ||
@@ -19,9 +20,9 @@ bool hasNewLink(const BodyPoses& body_poses, const LastPoses& last) noexcept {
   return has_new;
 }
 
-/// The Frobenius norm of the change of a link's rotation since the last cycle; < 0 if the link was
-/// not known then, is not known now, or is in another part.
-double turnOf(const LinkPoses& poses, const BodyPoses& body_poses, const LastPoses& last,
+/// The Frobenius norm of the change of a link's rotation since then; < 0 if the link was not known,
+/// is not known now, or is in another part.
+double turnOf(const LinkPoses& poses, const BodyPoses& body_poses, const PlacedLinks& last,
               std::size_t link) noexcept {
   return hasStayed(last, body_poses, link)
              ? (poses.world_from_link[link].rotation - last.world_from_link[link].rotation).norm()
@@ -115,6 +116,10 @@ void forgetNearestOfLinks(DistanceCache& cache) noexcept {
   cache.measured_links.clear();
 }
 
+namespace {
+
+/// Forgets all distances. Travel stays; so does `nearest_of_links`, which until measureDeferred
+/// only says what to measure first.
 void forgetDistances(DistanceCache& cache) noexcept {
   std::fill(cache.distances.begin(), cache.distances.end(), -kInfinity);
   std::fill(cache.elements.begin(), cache.elements.end(), -kInfinity);
@@ -123,10 +128,16 @@ void forgetDistances(DistanceCache& cache) noexcept {
   forgetNearest(cache);
 }
 
+}  // namespace
+
 DistanceCache makeDistanceCache(const CycleSetup& setup) {
   DistanceCache cache;
   cache.distances.resize(setup.table.size(), -kInfinity);
   cache.travels.resize(setup.bodies.size());
+  const std::size_t links = setup.model.links.size();
+  cache.placed.world_from_link.resize(links);
+  cache.placed.known.resize(links, 0);
+  cache.placed.part.resize(links, kWorldPart);
   cache.nearest.resize(setup.element_pairs.size(), kInfinity);
   cache.elements.resize(setup.element_pairs.size(), -kInfinity);
   cache.links.resize(setup.checked.size(), kInfinity);
@@ -150,17 +161,18 @@ void accumulateTravel(const CycleSetup& setup, const LinkPoses& poses,
   constexpr double kLongest = 1000.0;  // [m]
   const BodyPoses& body_poses = buffers.body_poses;
   DistanceCache& cache = buffers.memory.distance_cache;
-  if (hasNewLink(body_poses, buffers.memory.last)) {
+  if (hasNewLink(body_poses, cache.placed)) {
     forgetDistances(cache);
   }
   cache.longest = 0.0;
   for (const IndexRange& bodies : body_poses.moved.bodies) {
     for (std::size_t first = bodies.first; first < bodies.last;) {
       const std::size_t link = index(setup.bodies[first].link);
-      const double turn = turnOf(poses, body_poses, buffers.memory.last, link);
+      const double turn = turnOf(poses, body_poses, cache.placed, link);
       first = accumulateOfLink(setup, turn, first, buffers);
     }
   }
+  keepLinks(poses, body_poses, cache.placed);
   if (cache.longest > kLongest) {
     beginAnew(setup.table, cache);
   }

@@ -47,14 +47,9 @@ void forgetNearest(DistanceCache& cache) noexcept;
 /// Resets `nearest_of_links`.
 void forgetNearestOfLinks(DistanceCache& cache) noexcept;
 
-/// Forgets all distances. Travel stays; so does `nearest_of_links`, which until measureDeferred
-/// only says what to measure first.
-void forgetDistances(DistanceCache& cache) noexcept;
-
 /// Adds up the travel of bodies, so that cached distances stay lower bounds. Forgets the cache if a
-/// link is known that was not known in the last cycle, or was in another part then.
-/// @pre bodies are placed and looked ahead for; motions are found; memory.last is that of the last
-/// cycle.
+/// link is known that was not known the last time, or was in another part then.
+/// @pre bodies are placed and looked ahead for; motions are found.
 void accumulateTravel(const CycleSetup& setup, const LinkPoses& poses,
                       CycleBuffers& buffers) noexcept;
 

@@ -19,6 +19,7 @@
 #include "motion/conservative_advancement.h"
 #include "pipeline/data/distances_kept.h"
 #include "pipeline/data/moved_parts.h"
+#include "pipeline/data/placed_links.h"
 #include "pipeline/data/refine_store.h"
 
 /// The data between the stages of a cycle: plain arrays sized at set-up. World frame, metres,
@@ -38,11 +39,6 @@ struct LinkVelocities {
   std::vector<Twist> of_link;        ///< by LinkId
   std::vector<unsigned char> known;  ///< by LinkId
 };
-
-/// A part: links that are known beside each other. kWorldPart, or for a part that floats the LinkId
-/// of its top link.
-using PartId = std::uint32_t;
-constexpr PartId kWorldPart = 0xffffffffU;  ///< joined to the world
 
 /// The poses of all links, with one stamp for the known links of each robot.
 ///
@@ -236,16 +232,13 @@ struct Rest {
 };
 
 /// The poses of the links in the last cycle.
-struct LastPoses {
+struct LastPoses : PlacedLinks {
   std::int64_t stamp_ns{0};
-  std::vector<Pose> world_from_link;
-  std::vector<unsigned char> known;
-  std::vector<PartId> part;
   std::vector<Rest> rests;  ///< by CycleSetup::carried; 0 cycles whenever the rest is changed
 };
 
 /// Whether a link was known in the same part. Otherwise its motion since then is not known.
-inline bool hasStayed(const LastPoses& last, const BodyPoses& now, std::size_t link) noexcept {
+inline bool hasStayed(const PlacedLinks& last, const BodyPoses& now, std::size_t link) noexcept {
   return last.known[link] != 0 && now.link_known[link] != 0 && last.part[link] == now.part[link];
 }
 

@@ -11,6 +11,7 @@
 #include "collision_monitor/geometry/ids.h"
 #include "collision_monitor/pipeline/element.h"
 #include "pipeline/data/moved_parts.h"
+#include "pipeline/data/placed_links.h"
 
 /// What the cycle keeps of distances, and of how far bodies have moved since.
 namespace collision_monitor {
@@ -67,6 +68,7 @@ struct DistanceCache {
   /// value minus their travel now is a lower bound of the distance. -infinity: none.
   std::vector<double> distances;
   std::vector<BodyTravel> travels;  ///< by BodyId
+  PlacedLinks placed;               ///< where travel was last added up
   double longest{0.0};              ///< [m] of bodies that moved
   /// By ElementPairIndex: [m] the least distance of its bodies in the last cycle; infinity if none
   /// was measured.

@@ -64,15 +64,20 @@ void findMotions(const CycleSetup& setup, const LinkPoses& poses, const BodyPose
   work.elapsed = is_known ? 1e-9 * static_cast<double>(poses.stamp_ns - last.stamp_ns) : 0.0;
 }
 
-void keepPoses(const LinkPoses& poses, const BodyPoses& body_poses, LastPoses& last) noexcept {
-  last.stamp_ns = poses.stamp_ns;
+void keepLinks(const LinkPoses& poses, const BodyPoses& body_poses, PlacedLinks& placed) noexcept {
   for (const IndexRange& range : body_poses.moved.links) {
     const auto first = static_cast<std::ptrdiff_t>(range.first);
     const auto count = static_cast<std::ptrdiff_t>(range.last - range.first);
-    std::copy_n(poses.world_from_link.begin() + first, count, last.world_from_link.begin() + first);
-    std::copy_n(body_poses.link_known.begin() + first, count, last.known.begin() + first);
-    std::copy_n(body_poses.part.begin() + first, count, last.part.begin() + first);
+    std::copy_n(poses.world_from_link.begin() + first, count,
+                placed.world_from_link.begin() + first);
+    std::copy_n(body_poses.link_known.begin() + first, count, placed.known.begin() + first);
+    std::copy_n(body_poses.part.begin() + first, count, placed.part.begin() + first);
   }
+}
+
+void keepPoses(const LinkPoses& poses, const BodyPoses& body_poses, LastPoses& last) noexcept {
+  keepLinks(poses, body_poses, last);
+  last.stamp_ns = poses.stamp_ns;
 }
 
 }  // namespace collision_monitor

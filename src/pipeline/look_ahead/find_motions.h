@@ -13,7 +13,10 @@ namespace collision_monitor {
 void findMotions(const CycleSetup& setup, const LinkPoses& poses, const BodyPoses& body_poses,
                  const PairMemory& memory, SweepWork& work) noexcept;
 
-/// Stores the poses for the next cycle.
+/// Stores the poses of links that moved, and whether they are known.
+void keepLinks(const LinkPoses& poses, const BodyPoses& body_poses, PlacedLinks& placed) noexcept;
+
+/// The same and their stamp, for the next cycle.
 void keepPoses(const LinkPoses& poses, const BodyPoses& body_poses, LastPoses& last) noexcept;
 
 }  // namespace collision_monitor

@@ -101,8 +101,9 @@ std::vector<double> thicknessOfPairs(const CycleSetup& setup);
 
 /// Finds for each link pair how near its bodies must be to be told, to touch or to lower the speed
 /// scale within the horizon at present velocities, or to have touched since the last cycle.
-/// Infinite where a velocity is unknown. Fills RobotSpeeds::watched: a pair matters less far ahead
-/// where another one is expected to touch sooner.
+/// Where a velocity is unknown there is no time, and the nearest bodies ask for the lowest scale:
+/// others matter only within the stop distance. Fills RobotSpeeds::watched: a pair matters less far
+/// ahead where another one is expected to touch sooner.
 ///
 /// A distance changes no faster than the ball of B's bodies moves relative to A. Objects may be
 /// large or without bounds, so it is the ball of the robot's link that moves relative to them.

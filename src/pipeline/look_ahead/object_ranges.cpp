@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "geometry/constants.h"
 #include "model/object_links.h"
@@ -38,12 +37,12 @@ double largerOf(const BodyRows& rows, const ObjectRange& range, std::size_t colu
 
 double reachByMotion(const ActivationDistances& reaches, const ObjectRange& range,
                      double speed) noexcept {
-  const double asked = reaches.of_limits[range.limits].stop +
-                       speed * largerOf(reaches.rows, range, link_column::time);
+  const double stop = reaches.of_limits[range.limits].stop;
+  const double asked = stop + speed * largerOf(reaches.rows, range, link_column::time);
   const double came = reaches.of_limits[range.limits].contact +
                       reaches.rows.at(link_column::travel)[range.link] +
                       reaches.rows.at(link_column::travel)[range.objects];
-  return asked <= std::numeric_limits<double>::max() ? std::max(asked, came) : kInfinity;
+  return std::max(std::isnan(asked) ? stop : asked, came);
 }
 
 void findFarther(const ActivationDistances& reaches, const ObjectRange& range, std::size_t twist,

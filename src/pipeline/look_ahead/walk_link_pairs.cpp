@@ -5,8 +5,6 @@
 #define HWY_TARGET_INCLUDE "pipeline/look_ahead/walk_link_pairs.cpp"
 #include "hwy/foreach_target.h"
 // The order matters: Highway first includes this file once for each target.
-#include <limits>
-
 #include "pipeline/blocks/block_lanes-inl.h"
 #include "pipeline/look_ahead/walk_link_pairs.h"
 
@@ -54,17 +52,16 @@ HWY_INLINE Number largerOf(const LinkLanes& pairs, std::size_t column) {
   return hn::Max(pairs.one.at(column), pairs.row.at(column));
 }
 
-/// [m] How near pairs must be to matter to past or future motion; not finite if unknown.
+/// [m] How near pairs must be to matter to past or future motion. No time follows from a speed that
+/// is unknown.
 HWY_INLINE Number reachByMotion(const LinkLanes& pairs, Number speed) {
   const Number time = largerOf(pairs, link_column::time);
-  const Number asked =
-      hn::Add(reachOf(pairs, &PairReach::stop, &LaneReaches::stop), hn::Mul(speed, time));
+  const Number stop = reachOf(pairs, &PairReach::stop, &LaneReaches::stop);
+  const Number asked = hn::Add(stop, hn::Mul(speed, time));
   const Number contact = reachOf(pairs, &PairReach::contact, &LaneReaches::contact);
   const Number came = hn::Add(hn::Add(contact, pairs.one.at(link_column::travel)),
                               pairs.row.at(link_column::travel));
-  const Truth is_known = hn::Le(asked, number(std::numeric_limits<double>::max()));
-  return hn::IfThenElse(is_known, hn::Max(asked, came),
-                        number(std::numeric_limits<double>::infinity()));
+  return hn::Max(hn::IfThenElse(hn::Eq(asked, asked), asked, stop), came);
 }
 
 HWY_INLINE void findFarther(const LinkLanes& pairs, std::size_t twist, FarthestPair& farthest) {

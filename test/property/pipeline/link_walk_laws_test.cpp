@@ -71,11 +71,11 @@ double plainReach(const Scene& scene, const CheckedLinkPair& pair, double time,
   const std::size_t a = index(pair.a);
   const std::size_t b = index(pair.b);
   const LinkVelocities& velocities = scene.poses.velocities;
-  if (velocities.known[a] == 0 || velocities.known[b] == 0) {
-    return kInfinity;
-  }
-  const double speed = travelOf(velocities.of_link[b] - velocities.of_link[a],
-                                scene.poses.world_from_link[b] * balls[b].center, balls[b].radius);
+  const bool is_known = velocities.known[a] != 0 && velocities.known[b] != 0;
+  const double speed =
+      is_known ? travelOf(velocities.of_link[b] - velocities.of_link[a],
+                          scene.poses.world_from_link[b] * balls[b].center, balls[b].radius)
+               : 0.0;
   const auto came = [&](std::size_t link) {
     const ScrewMotion& motion = scene.sweep.link_motions[link];
     return velocityAt(motion, balls[link].center).norm() + motion.turn.norm() * balls[link].radius;

@@ -73,10 +73,19 @@ TEST_P(FindReachesTest, contactExpectedSoon_laterOnesDoNotMatter) {
   EXPECT_NEAR(reaches()[0], 0.255 + setup_.limits.time_hysteresis, 1e-12) << "a warning by time";
 }
 
-TEST_P(FindReachesTest, velocityThatIsNotKnown_everythingMatters) {
+TEST_P(FindReachesTest, velocityThatIsNotKnown_noMotionAheadMatters) {
+  poses_.velocities.of_link[0].linear.y() = 1.0;
   poses_.velocities.known[2] = 0;
-  EXPECT_EQ(reaches(), (std::vector<double>{0.2, kInfinity, kInfinity}));
-  poses_.velocities.known[2] = 1;
+  EXPECT_EQ(reaches(), (std::vector<double>{2.005, 0.2, 0.2}));
+  setup_.ahead.stop.stop_distance = 0.3;
+  reaches_ = makeActivationDistances(setup_);
+  EXPECT_DOUBLE_EQ(reaches()[2], 0.3 + setup_.limits.hysteresis);
+  setup_.is_continuous = true;
+  sweep_.link_motions[2].travel.x() = 0.5;
+  EXPECT_DOUBLE_EQ(reaches()[2], 0.5) << "the way since the last cycle";
+}
+
+TEST_P(FindReachesTest, velocityBeyondAllNumbers_everythingMatters) {
   poses_.velocities.of_link[0].linear.y() = kInfinity;
   EXPECT_EQ(reaches(), (std::vector<double>{kInfinity, kInfinity, 0.2}));
 }
