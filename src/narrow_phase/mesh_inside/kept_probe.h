@@ -9,16 +9,17 @@
 
 namespace collision_monitor {
 
-/// A probe that was outside of a mesh. It is outside at any place near by that a segment reaches
-/// without crossing the surface, because the winding number changes slowly along that segment.
+/// A probe that was outside of a mesh. The winding number changes slowly along a segment that does
+/// not cross the surface. So the probe stays outside while it is near `point` and the segment from
+/// there does not cross the surface.
 struct KeptProbe {
   Eigen::Vector3d point{Eigen::Vector3d::Zero()};  ///< [m] in the frame of that mesh
   double hold{0.0};                                ///< [m] as PointInMesh::hold
   /// [m] A lower bound of the distance from `point` to the surface.
   double apart{0.0};
 
-  /// [m] How far the probe may travel from where it is now until it can be inside. Nothing if it
-  /// may be inside now.
+  /// [m] How far the probe may travel on before it can be inside. No value if it may be inside
+  /// now.
   std::optional<double> leftAt(const Eigen::Vector3d& now) const noexcept {
     const double moved = (now - point).norm();
     return moved < std::min(hold, apart) ? std::make_optional(hold - moved) : std::nullopt;

@@ -28,7 +28,7 @@ struct PointInMesh {
 
 /// The same for any mesh. The inside of an open mesh is the part of its hull, or of the box and the
 /// slabs around it, with a winding number above 1/2 in size. Near a hole it ends where half of all
-/// directions lead out. A point that is not finite is outside and stays so for no way.
+/// directions lead out. A point that is not finite is outside, with a hold of 0.
 ///
 /// Frames: the mesh's. Error: where the rim is long, points with a number between 1/2 and 0.52 may
 /// count as outside. Points with a number of 1/2 or less never count as inside.
@@ -55,8 +55,8 @@ bool isBeyondAnyFace(const OpenSurface& open, const ConvexHull::Face*& last,
 }
 
 /// Proves that a point is outside, and stays outside while it travels by at most `travel` [m] and
-/// does not cross the surface. Tells no more than PointInMesh::hold, in less time; ways shorter
-/// than leastHold count as none.
+/// does not cross the surface. It takes less time than PointInMesh::hold, proves no longer ways,
+/// and no ways shorter than leastHold.
 /// @param visits receives the work
 /// @pre the mesh has an inside.
 bool staysOutside(const MeshTree& tree, const Eigen::Vector3d& point, double travel,

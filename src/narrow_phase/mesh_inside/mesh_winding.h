@@ -17,12 +17,13 @@ struct WindingNumber {
 /// Work of a block of a rim, as WindingNumber::parts.
 constexpr std::uint32_t kPartsPerBlock = 3;
 
-/// Counts the crossings of a line of sight and adds the solid angle of the rim, which is exact: off
-/// the rim `error` is 1e-9. Where the rim is long, sums moments of far parts and solid angles of
-/// near ones, and splits parts until the error is at most `error`; 1e-9 can always be reached.
+/// Adds the solid angle of the rim to the crossings of a line of sight. This is exact but for
+/// rounding: away from the rim the error is 1e-9. A long rim is split into parts until the error is
+/// at most `error` (1e-9 can always be reached): near parts by their solid angles, far parts by
+/// their moments.
 ///
-/// Frames: the mesh's. Time: that of one line of sight and of the rim's sides; of all triangles at
-/// the few points where every line of sight is in doubt.
+/// Frames: the mesh's. Time: that of one line of sight and of the sides of the rim. At the few
+/// points where every line of sight is in doubt, it is that of all triangles.
 /// Error: the sum of triangles is off by more than 1e-9 beside slivers: by up to 1e-5 at 1e-6 of
 /// the mesh's size from the surface, by less than 1e-9 from 1e-3 on. Source: as windingOf.
 /// Departure: fixes the error in place of a ratio of distance and size.
@@ -30,9 +31,10 @@ constexpr std::uint32_t kPartsPerBlock = 3;
 WindingNumber windingNumber(const MeshTree& tree, const Eigen::Vector3d& point, double error,
                             MeshQueryMemory& memory) noexcept;
 
-/// The same, but stops once it is certain whether the number exceeds `limit` in size: a tenth of
-/// the time for most points. @param share of a number below the limit the error is at most this
-/// share of what is left to the limit, or `error`
+/// The same, but stops once it is certain whether the number exceeds `limit` in size. Most points
+/// take a tenth of the time.
+/// @param share the error of a number below the limit is at most this share of what is left to the
+/// limit, or `error`
 WindingNumber windingByLimit(const MeshTree& tree, const Eigen::Vector3d& point, double limit,
                              double error, MeshQueryMemory& memory, double share = 1.0) noexcept;
 

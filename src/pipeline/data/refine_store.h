@@ -13,11 +13,10 @@
 
 namespace collision_monitor {
 
-/// Memories for pairs of elements, those asked for last first. While few pairs are ever refined
-/// each has its own. Of more pairs only those measured last have one, since memory would otherwise
-/// grow with the square of links; there are more memories than a cycle's budget measures pairs.
-/// They are made when they are first asked for, in room that is there: making all at once would
-/// take longer than anything else at set-up.
+/// Memories for pairs of elements. Each pair has its own, if they are few. Else only the pairs
+/// measured last have one, so that the room does not grow with the square of the links; more pairs
+/// have one than the budget of a cycle can measure. A memory is made when it is first asked for, in
+/// room that exists: to make all at once would take longer than anything else at set-up.
 class RefineRoom {
  public:
   static constexpr std::size_t kKinds = 5;
@@ -42,8 +41,8 @@ class RefineRoom {
   /// @param probes kept of each pair of kind `both`, at most kMostProbes
   RefineRoom(std::array<std::size_t, kKinds> counts, std::size_t probes);
 
-  /// A slot for another pair: a new one, or the one that was asked for longest ago. Its memory is
-  /// as new; `pair` is still the one that had it. @pre there is a pair of this kind
+  /// A slot for another pair: a new one, or the one that was asked for longest ago, with its memory
+  /// emptied. Slot::pair still names its former pair. @pre there is a pair of this kind
   std::uint32_t take(RefineKind kind) noexcept;
   /// Notes that a slot is asked for now.
   void use(RefineKind kind, std::uint32_t slot) noexcept;
@@ -86,16 +85,16 @@ class RefineStore {
   explicit RefineStore(std::vector<RefineKind> kinds, std::size_t probes = 0,
                        std::vector<unsigned char> is_of_object = {});
 
-  /// The memory of a pair; as new if it had none or lost it to another pair. Valid until the memory
+  /// The memory of a pair; empty if it had none or lost it to another pair. Valid until the memory
   /// of another pair is asked for.
   RefineMemory& of(ElementPairIndex pair) noexcept;
 
-  /// The last measurement of a pair; as new if the pair has no memory.
+  /// The last measurement of a pair; empty if the pair has no memory.
   const LastMeasurement& lastOf(ElementPairIndex pair) const noexcept {
     return slot_of_[pair] == kNone ? kNothingMeasured : memoryOf(pair).last;
   }
 
-  /// The measurement before, at other poses; as new if there is none.
+  /// The measurement before, at other poses; empty if there is none.
   const LastMeasurement& beforeOf(ElementPairIndex pair) const noexcept {
     return slot_of_[pair] == kNone ? kNothingMeasured : memoryOf(pair).before;
   }
@@ -104,7 +103,7 @@ class RefineStore {
     return !is_of_object_.empty() && is_of_object_[pair] != 0;
   }
 
-  /// Makes all memories as new.
+  /// Empties all memories.
   void forgetAll() noexcept;
 
   /// Takes the memories of the pairs of robots from the store of another set-up, which keeps none.

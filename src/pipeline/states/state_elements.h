@@ -25,7 +25,8 @@ bool areBodies(const CycleSetup& setup, ElementPairIndex pair) noexcept;
 /// Whether the distance of two elements is that of their geometries: no bound of bodies is better.
 bool areMeasured(const CycleSetup& setup, ElementPairIndex pair) noexcept;
 
-/// Whether two geometries that touch are elements in contact, whatever their bodies say.
+/// Whether the geometries alone decide about contact: they are known exactly, and contact begins
+/// where they touch.
 bool isExact(const CycleSetup& setup, ElementPairIndex pair) noexcept;
 
 /// Lists the pairs of elements of StatesRefinement::near, each with its nearest bodies.
