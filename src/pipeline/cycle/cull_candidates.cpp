@@ -120,8 +120,8 @@ void sortIds(MarkedPairs& marks, std::vector<PairId>& pairs) noexcept {
   takeMarked(marks, pairs);
 }
 
-/// Lists the pairs that the distance cache does not prove to be far or settled. Groups whose bodies
-/// are all far keep how far they are.
+/// Lists the pairs that the distance cache does not prove to be far or settled. A group without a
+/// near pair keeps the least of their gaps, and is passed over until its links have used that up.
 void cullByCache(const NearBodies& near, SettledPairs& settled, CycleBuffers& buffers) noexcept {
   DistanceCache& cache = buffers.memory.distance_cache;
   buffers.candidates.resize(cache.listed.size());

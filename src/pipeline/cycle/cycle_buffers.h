@@ -36,8 +36,8 @@ struct CycleBuffers {
 CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind);
 
 /// Forgets the poses of the last cycle: after a jump in time, or when no verdicts were reported.
-/// The next cycle then looks for no contacts since the last one. Reported verdicts and the speed
-/// scale stay until new poses change them.
+/// The next cycle then looks for no contacts since the last one, and measures anew what is near.
+/// Reported verdicts and the speed scale stay until new poses change them.
 void forgetPoses(CycleBuffers& buffers) noexcept;
 
 /// Forgets the verdicts that were reported and the speed scales, as if nobody had heard of them.

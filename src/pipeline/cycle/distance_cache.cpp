@@ -29,7 +29,7 @@ double turnOf(const LinkPoses& poses, const BodyPoses& body_poses, const PlacedL
              : -1.0;
 }
 
-/// [m] An upper bound of how far any point of the ball has moved since the last cycle. `turn` comes
+/// [m] An upper bound of how far any point of the ball has moved since then. `turn` comes
 /// from turnOf; a Frobenius norm also bounds matrices that are only nearly rotations.
 double stepOf(const Ball& ball, const Eigen::Vector3d& last_center, double turn) noexcept {
   constexpr double kNotRigid = 10.0 * kRigid;  // share of travel: their distances' error

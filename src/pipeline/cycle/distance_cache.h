@@ -24,7 +24,8 @@ double travelOfLinks(const DistanceCache& cache, const Pair& pair) noexcept {
   return cache.travels[index(pair.a)].of_link_all + cache.travels[index(pair.b)].of_link_all;
 }
 
-/// [m] How far the links of two bodies have moved since the last cycle.
+/// [m] How far the links of two bodies have moved between the last two times that travel was added
+/// up.
 /// @param pair an ElementsPlace or a BodyPair
 template <class Pair>
 double stepOfLinks(const DistanceCache& cache, const Pair& pair) noexcept {

@@ -9,8 +9,8 @@ namespace collision_monitor {
 /// [m] Pairs that are farther than matters by more than this are left out of the list.
 constexpr double kListMargin = 0.025;
 
-/// Fills `candidates`: no pair that is near enough to matter is missing. Bounds of all bodies are
-/// looked at only to make a list of the pairs that can be near soon. The list serves in the next
+/// Fills DistanceCache::listed, unless the last list still serves: no pair that is near enough to
+/// matter is missing. Bounds of all bodies are looked at only to make a list. It serves in the next
 /// cycles, until two bodies may have used up the margin by travel or by faster motion ahead, or
 /// until many objects start to move or come to rest. No list is made where motions are fast or
 /// unknown, or where many objects have no trees.

@@ -151,10 +151,10 @@ struct NearBodies {
 
   /// [m] As nearOf, by closingSpeed: what a scale or a time may follow from, and what may have
   /// touched since the last cycle. Where a verdict may follow from a time, bodies that are nearer
-  /// than those that cause it still matter. Where a velocity is not known, there is no time: the
-  /// scale is 0 within the stop distance, and beyond it the nearest bodies ask for the lowest.
-  /// Only lone bodies are asked: this takes a third of the time of a measurement, and says little
-  /// of bodies that are near for their size.
+  /// than those that cause it still matter. Where a velocity is not known, a pair has no
+  /// time to contact, and its scale follows from its distance: the nearest bodies ask for the
+  /// lowest. Only lone bodies are asked: this takes a third of the time of a measurement, and says
+  /// little of bodies that are near for their size.
   double byClosing(const ElementsPlace& pair, const Closing& closing) const noexcept;
 };
 

@@ -9,7 +9,8 @@ namespace collision_monitor {
 
 /// Measures without verdicts what the budget of one cycle may starve. Used where many links become
 /// known at once, as at the start: otherwise the next cycle would report contacts of enclosing
-/// shapes. Takes the budget of as many cycles as needed, at most 50. @pre as runCycle
+/// shapes. Takes the budget of as many cycles as needed, at most 50.
+/// @pre as runCycle; objects that rest are where they were in the last cycle
 void learnPairs(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept;
 
 /// Does before the first cycle what takes long in it: learns all pairs and judges them. Nothing

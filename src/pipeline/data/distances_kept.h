@@ -18,10 +18,10 @@ namespace collision_monitor {
 
 /// How far a body has moved.
 struct BodyTravel {
-  Eigen::Vector3d center{Eigen::Vector3d::Zero()};  ///< of the body in the last cycle
+  Eigen::Vector3d center{Eigen::Vector3d::Zero()};  ///< of the body at DistanceCache::placed
   double all{0.0};  ///< [m] upper bound for any point of the body, since reset to 0
-  /// [m] Upper bound for all bodies of its link, since the last cycle; in a continuous set-up also
-  /// of the way between.
+  /// [m] Upper bound for all bodies of its link, between the last two times that travel was added
+  /// up; in a continuous set-up also of the way between.
   double of_link{0.0};
   double of_link_all{0.0};  ///< [m] the sum of these since reset to 0
   double ahead{0.0};  ///< [m] upper bound within the horizon; in a continuous set-up also since the
@@ -54,7 +54,8 @@ struct ListedPair {
   PairId pair{};
   BodyId a{};
   BodyId b{};
-  /// [m] A lower bound of their distance plus the travel of both links, as DistanceCache::elements.
+  /// [m] A lower bound of their distance when they were last looked at, plus the travel of both
+  /// links then: as DistanceCache::elements.
   double gap{-std::numeric_limits<double>::infinity()};
 };
 
@@ -68,23 +69,23 @@ struct DistanceCache {
   /// value minus their travel now is a lower bound of the distance. -infinity: none.
   std::vector<double> distances;
   std::vector<BodyTravel> travels;  ///< by BodyId
-  PlacedLinks placed;               ///< where travel was last added up
+  PlacedLinks placed;               ///< when travel was last added up
   double longest{0.0};              ///< [m] of bodies that moved
-  /// By ElementPairIndex: [m] the least distance of its bodies in the last cycle; infinity if none
-  /// was measured.
+  /// By ElementPairIndex: [m] the least distance of its bodies in the last cycle or learnPairs;
+  /// infinity if none was measured.
   std::vector<double> nearest;
   std::vector<ElementPairIndex> measured_pairs;  ///< pairs with a finite `nearest`
   /// By LinkPairIndex, where bodies are lone: [m] an upper bound of their distance in the last
   /// cycle. Lone bodies beyond it were not the nearest of their links. Infinity: no bound is known.
   std::vector<double> nearest_of_links;
   std::vector<std::uint32_t> measured_links;  ///< pairs with a finite `nearest_of_links`
-  /// By ElementPairIndex: [m] a lower bound of their distance plus the travel of both links. This
-  /// value minus their travel now is a lower bound. -infinity: none.
+  /// By ElementPairIndex: [m] a lower bound of their distance at some time, plus the travel of both
+  /// links then. This value minus their travel now is a lower bound. -infinity: none.
   std::vector<double> elements;
-  /// By LinkPairIndex: [m] an upper bound of their distance minus the travel of both links. This
-  /// value plus their travel now is an upper bound. infinity: none.
+  /// By LinkPairIndex: [m] an upper bound of their distance at some time, minus the travel of both
+  /// links then. This value plus their travel now is an upper bound. infinity: none.
   std::vector<double> links;
-  /// The pairs that can be near before bodies use up kListMargin; without a list, in this cycle.
+  /// The pairs that can be near before bodies use up kListMargin, or in this cycle.
   std::vector<ListedPair> listed;
   std::vector<ListedGroup> groups;      ///< of `listed`, in its order
   MarkedPairs marks;                    ///< scratch that sorts pairs; empty between two uses
@@ -92,7 +93,7 @@ struct DistanceCache {
   std::vector<std::uint32_t> group_of_lone;  ///< by LinkPairIndex, as group_of
   std::vector<unsigned char> lone;           ///< by BodyId: kLone, kOfSeveral
   bool has_lone{false};                      ///< a body has both bits
-  bool is_listed{false};                     ///< false: no list is known
+  bool is_listed{false};                     ///< false: `listed` serves this cycle only
   std::vector<IndexRange> listed_moved;      ///< MovedParts::bodies when `listed` was filled
 };
 

@@ -14,7 +14,7 @@ namespace collision_monitor {
 using PartId = std::uint32_t;
 constexpr PartId kWorldPart = 0xffffffffU;  ///< joined to the world
 
-/// The poses of links in an earlier cycle.
+/// The poses of links at an earlier time.
 struct PlacedLinks {
   std::vector<Pose> world_from_link;
   std::vector<unsigned char> known;

@@ -16,7 +16,7 @@ namespace collision_monitor {
 struct PairReach {
   double all{0.0};      ///< as activationDistanceOf
   double near{0.0};     ///< as nearActivationDistanceOf
-  double stop{0.0};     ///< >= contact; the farthest at which scaleSpeed acts
+  double stop{0.0};     ///< >= contact; up to this a pair may be stopped or held
   double contact{0.0};  ///< the largest contact distance of bodies
 };
 
@@ -101,9 +101,10 @@ std::vector<double> thicknessOfPairs(const CycleSetup& setup);
 
 /// Finds for each link pair how near its bodies must be to be told, to touch or to lower the speed
 /// scale within the horizon at present velocities, or to have touched since the last cycle.
-/// Where a velocity is unknown there is no time, and the nearest bodies ask for the lowest scale:
-/// others matter only within the stop distance. Fills RobotSpeeds::watched: a pair matters less far
-/// ahead where another one is expected to touch sooner.
+/// Where a velocity is unknown, a pair has no time to contact and its scale follows from its
+/// distance alone: beyond PairReach::stop only its nearest bodies matter, and what may have
+/// touched. Fills RobotSpeeds::watched: a pair matters less far ahead where another one is expected
+/// to touch sooner.
 ///
 /// A distance changes no faster than the ball of B's bodies moves relative to A. Objects may be
 /// large or without bounds, so it is the ball of the robot's link that moves relative to them.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros_edge/poses/apply_joints.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -36,8 +37,9 @@ std::string unknownJoint(const RobotModel& model, const std::string& name) {
     }
   }
   const std::string similar = suggestion(name, accepted);
-  return "there is no joint " + quoted(name) +
-         (similar.empty() && !accepted.empty() ? "; accepted: " + someOf(accepted) : similar);
+  const std::string there_are = accepted.empty() ? "; no joint of this robot can be given"
+                                                 : "; accepted: " + someOf(accepted);
+  return "there is no joint " + quoted(name) + (similar.empty() ? there_are : similar);
 }
 
 /// The first entry of each name in a request.
@@ -51,9 +53,9 @@ FirstEntries firstEntries(const std::vector<std::string>& names) {
   return entries;
 }
 
-/// The fault of entry `i`; empty if there is none.
+/// The fault of the name of entry `i`; empty if there is none.
 /// @pre the model has the joint
-std::string fault(const RobotModel& model, const Joint& joint, std::size_t i, double position,
+std::string fault(const RobotModel& model, const Joint& joint, std::size_t i,
                   const FirstEntries& entries) {
   const std::string named = "joint '" + joint.name + "'";
   if (!hasOneVariable(joint)) {
@@ -61,10 +63,6 @@ std::string fault(const RobotModel& model, const Joint& joint, std::size_t i, do
   }
   if (joint.mimic && entries.count(model.joint(joint.mimic->source).name) == 0) {
     return named + " follows '" + model.joint(joint.mimic->source).name + "'; name that one";
-  }
-  const std::string of_number = numberFault(position);
-  if (!of_number.empty()) {
-    return "the position of " + named + " " + of_number;
   }
   const std::size_t first = entries.at(joint.name);
   return first == i ? "" : named + " stands at [" + std::to_string(first) + "], too; give it once";
@@ -118,6 +116,11 @@ void placeLink(const RobotModel& model, std::size_t link, const Pose& pose, Link
 
 }  // namespace
 
+bool takesPositions(const RobotModel& model) {
+  return std::any_of(model.joints.begin(), model.joints.end(),
+                     [](const Joint& joint) { return hasOneVariable(joint) && !joint.mimic; });
+}
+
 std::string numberFault(double number) {
   return std::abs(number) <= kFarthest ? "" : "is " + shortText(number) + "; accepted: -1e9 to 1e9";
 }
@@ -140,9 +143,15 @@ std::vector<std::string> jointFaults(const RobotModel& model, const sensor_msgs:
       }
       continue;
     }
-    const std::string text = fault(model, model.joint(*id), i, joints.position[i], entries);
+    const std::string text = fault(model, model.joint(*id), i, entries);
+    const std::string of_number = numberFault(joints.position[i]);
     if (!text.empty()) {
       faults.add([&] { return place() + text; });
+    } else if (!of_number.empty()) {
+      faults.add([&] {
+        return "joints.position[" + std::to_string(i) + "], of joint " + quoted(joints.name[i]) +
+               ", " + of_number;
+      });
     }
   }
   return faults.all();

@@ -15,8 +15,12 @@ namespace collision_monitor {
 /// none.
 std::string numberFault(double number);
 
+/// Whether a request can give the position of some joint.
+bool takesPositions(const RobotModel& model);
+
 /// Faults of `joints`: a few sentences and the number of others. The time is linear in the names.
-/// @param names  the request's field that holds the names; each sentence names its entry
+/// @param names  the request's field that holds the names, for messages; positions that may have
+///               faults stand in `joints.position`
 std::vector<std::string> jointFaults(const RobotModel& model, const sensor_msgs::JointState& joints,
                                      const std::string& names);
 

@@ -35,8 +35,12 @@ std::size_t countStates(const RobotModel& model, const CheckStates::Request& req
   names.position.resize(names.name.size(), 0.0);
   faults = jointFaults(model, names, "joint_names");
   const std::size_t joints = request.joint_names.size();
-  if (model.variable_count == 0 && joints == 0 && request.positions.empty()) {
-    return 1;  // nothing moves, so there is exactly one state
+  if (joints == 0 && !takesPositions(model)) {
+    if (!request.positions.empty()) {
+      faults.push_back("positions has " + counted(request.positions.size(), "value") +
+                       ", but no joint of this robot can be given; leave it empty");
+    }
+    return faults.empty() ? 1 : 0;
   }
   if (joints == 0) {
     faults.emplace_back("joint_names is empty; name the joints that move");
@@ -45,8 +49,7 @@ std::size_t countStates(const RobotModel& model, const CheckStates::Request& req
   if (request.positions.empty() || request.positions.size() % joints != 0) {
     faults.push_back("positions has " + counted(request.positions.size(), "value") + " for " +
                      counted(joints, "joint") + "; give one for each joint of each state");
-  }
-  if (request.positions.size() / joints > kMostStates) {
+  } else if (request.positions.size() / joints > kMostStates) {
     faults.push_back("positions has " + std::to_string(request.positions.size() / joints) +
                      " states; give at most " + std::to_string(kMostStates) + " in one call");
   }

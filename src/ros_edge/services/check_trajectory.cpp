@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "collision_monitor/geometry/ids.h"
+#include "model/number_text.h"
 #include "model/place.h"
 #include "ros_edge/outputs/conversions.h"
 #include "ros_edge/outputs/sentences.h"
@@ -45,10 +46,12 @@ TrajectoryOptions optionsOf(const CycleSetup& setup, const CheckTrajectory::Requ
 std::vector<std::string> findFaults(const CheckTrajectory::Request& request) {
   std::vector<std::string> faults;
   if (!std::isfinite(request.margin)) {
-    faults.emplace_back("margin is not finite; give metres, or 0 for warning_distance");
+    faults.push_back("margin is " + shortText(request.margin) +
+                     "; give finite metres, or 0 for warning_distance");
   }
   if (!std::isfinite(request.resolution)) {
-    faults.emplace_back("resolution is not finite; give metres, or 0 for 0.001");
+    faults.push_back("resolution is " + shortText(request.resolution) +
+                     "; give finite metres, or 0 for 0.001");
   }
   return faults;
 }

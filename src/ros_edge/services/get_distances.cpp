@@ -185,7 +185,7 @@ void answerChecked(const MonitorSetup& current, const NewestState& newest,
   std::vector<std::string> faults;
   const Selection selection = selectionOf(setup, request, faults);
   if (std::isnan(request.max_distance)) {
-    faults.emplace_back("max_distance is not a number; give metres, or 0 for no limit");
+    faults.emplace_back("max_distance is nan; give metres, or 0 for no limit");
   }
   Scene scene{newest.poses, makeLinkDistances(setup)};
   if (!request.joints.name.empty() || !request.joints.position.empty()) {

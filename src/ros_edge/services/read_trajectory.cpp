@@ -75,9 +75,9 @@ void checkSwings(const JointTrajectory& trajectory, FewTexts& faults) {
     for (std::size_t k = 0; k < points[i].velocities.size(); ++k) {
       const double farthest = std::abs(points[i].velocities[k]) * time;
       if (farthest > kFarthest) {
-        const std::string fault = "is " + shortText(points[i].velocities[k]) +
-                                  ", by which it goes " + shortText(farthest) +
-                                  " until the point next to it; accepted: up to 1e9";
+        const std::string fault = "is " + shortText(points[i].velocities[k]) + ", which leads " +
+                                  shortText(farthest) +
+                                  " far until the point next to it; accepted: at most 1e9 far";
         faults.add([&] {
           return jointFault(pointText(i) + ".velocities", trajectory.joint_names[k], fault);
         });
@@ -143,7 +143,9 @@ std::vector<std::string> readTrajectory(const RobotModel& model, const JointTraj
     first.position = trajectory.points.front().positions;
   }
   if (first.name.empty()) {
-    faults.emplace_back("joint_names is empty; name the joints that move");
+    faults.emplace_back(takesPositions(model)
+                            ? "joint_names is empty; name the joints that move"
+                            : "this robot has no joint that a trajectory can move");
   }
   const std::vector<std::string> of_joints = applyJoints(model, first, "joint_names", start);
   faults.insert(faults.end(), of_joints.begin(), of_joints.end());

@@ -37,10 +37,10 @@ TEST_F(CheckTrajectoryFaults, everyFaultIsNamed) {
   const auto response = ask();
   EXPECT_FALSE(response.success);
   EXPECT_EQ(response.level, State::UNKNOWN);
-  for (const char* text :
-       {"margin is not finite", "did you mean 'reach'", "points[1].velocities is not empty",
-        "points[1].time_from_start is 0 s; accepted: later than the 0 s",
-        "points[2].positions has 2 numbers for 1 joint;"}) {
+  for (const char* text : {"margin is nan; give finite metres", "did you mean 'reach'",
+                           "points[1].velocities is not empty",
+                           "points[1].time_from_start is 0 s; accepted: later than the 0 s",
+                           "points[2].positions has 2 numbers for 1 joint;"}) {
     EXPECT_NE(response.message.find(text), std::string::npos) << text << " in " << response.message;
   }
 }
@@ -63,8 +63,8 @@ TEST_F(CheckTrajectoryFaults, velocityThatLeadsBeyondSenseBeforeTheFirstPoint_is
   const auto response = ask();
   EXPECT_FALSE(response.success);
   EXPECT_EQ(response.message,
-            "points[0].velocities of joint 'reach' is 1e+09, by which it goes 4e+09 until the "
-            "point next to it; accepted: up to 1e9");
+            "points[0].velocities of joint 'reach' is 1e+09, which leads 4e+09 far until the "
+            "point next to it; accepted: at most 1e9 far");
 }
 
 /// The way to there is infinite in squares, and what is infinite exceeds what is needed: the way
@@ -126,8 +126,8 @@ TEST_F(CheckTrajectoryFaults, velocityThatLeadsBeyondSense_namesJointPointAndWha
   response = ask();
   EXPECT_FALSE(response.success) << response.message;
   EXPECT_EQ(response.message,
-            "points[1].velocities of joint 'reach' is -1e+09, by which it goes 3e+09 until the "
-            "point next to it; accepted: up to 1e9");
+            "points[1].velocities of joint 'reach' is -1e+09, which leads 3e+09 far until the "
+            "point next to it; accepted: at most 1e9 far");
 }
 
 }  // namespace

@@ -36,9 +36,9 @@ TEST_F(GetDistancesFaults, everyFaultIsNamed) {
   EXPECT_EQ(response.distances.closest, -1) << "there is no pair";
   for (const char* text :
        {"links_a[0]: there is no link 'tol', did you mean 'tool'",
-        "links_b[0]: link 'antenna' has no collision geometry", "max_distance is not a number",
+        "links_b[0]: link 'antenna' has no collision geometry", "max_distance is nan",
         "did you mean 'slide'", "'mast' is fixed, and", "'follow' follows 'slide'",
-        "joints.name[3]: the position of joint 'reach' is inf; accepted: -1e9 to 1e9"}) {
+        "joints.position[3], of joint 'reach', is inf; accepted: -1e9 to 1e9"}) {
     EXPECT_NE(response.message.find(text), std::string::npos) << text << " in " << response.message;
   }
 }
@@ -76,7 +76,7 @@ TEST_F(GetDistancesFaults, positionBeyondSense_isRefused) {
   move("reach", 1e155);  // the square of which is infinite
   EXPECT_FALSE(ask().success);
   EXPECT_EQ(ask().message,
-            "joints.name[0]: the position of joint 'reach' is 1e+155; accepted: -1e9 to 1e9");
+            "joints.position[0], of joint 'reach', is 1e+155; accepted: -1e9 to 1e9");
 }
 
 TEST_F(GetDistancesFaults, namesAndPositionsOfDifferentNumber) {
