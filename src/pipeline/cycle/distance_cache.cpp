@@ -100,6 +100,16 @@ std::vector<unsigned char> findLone(const CycleSetup& setup) {
   return lone;
 }
 
+/// Forgets all distances. Travel stays; so does `nearest_of_links`, which until measureDeferred
+/// only says what to measure first.
+void forgetDistances(DistanceCache& cache) noexcept {
+  std::fill(cache.distances.begin(), cache.distances.end(), -kInfinity);
+  std::fill(cache.elements.begin(), cache.elements.end(), -kInfinity);
+  std::fill(cache.links.begin(), cache.links.end(), kInfinity);
+  cache.is_listed = false;
+  forgetNearest(cache);
+}
+
 }  // namespace
 
 void forgetNearest(DistanceCache& cache) noexcept {
@@ -115,20 +125,6 @@ void forgetNearestOfLinks(DistanceCache& cache) noexcept {
   }
   cache.measured_links.clear();
 }
-
-namespace {
-
-/// Forgets all distances. Travel stays; so does `nearest_of_links`, which until measureDeferred
-/// only says what to measure first.
-void forgetDistances(DistanceCache& cache) noexcept {
-  std::fill(cache.distances.begin(), cache.distances.end(), -kInfinity);
-  std::fill(cache.elements.begin(), cache.elements.end(), -kInfinity);
-  std::fill(cache.links.begin(), cache.links.end(), kInfinity);
-  cache.is_listed = false;
-  forgetNearest(cache);
-}
-
-}  // namespace
 
 DistanceCache makeDistanceCache(const CycleSetup& setup) {
   DistanceCache cache;
