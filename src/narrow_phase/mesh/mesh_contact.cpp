@@ -24,9 +24,7 @@ bool areWithin(const MeshPair& pair, const TrianglePair& triangles, double dista
   start.squared_distance =
       std::nextafter(distance * distance, std::numeric_limits<double>::infinity());
   start.on_b = direction;
-  LazyTriangle lazy_a(of_a);
-  LazyTriangle lazy_b(of_b);
-  const TriangleDistance found = boundedDistance(lazy_a, lazy_b, start, start.squared_distance);
+  const TriangleDistance found = boundedDistance(of_a, of_b, start, start.squared_distance);
   direction = found.visits > 1 ? direction : found.direction;
   return found.nearest.squared_distance < start.squared_distance;
 }

@@ -13,54 +13,28 @@
 namespace collision_monitor {
 namespace {
 
-// The last triangle of a mesh that was measured. The next pair of triangles often holds it again.
-class LastTriangle {
- public:
-  // @param corners called for another triangle than the last
-  template <class Corners>
-  LazyTriangle& at(std::uint32_t triangle, const Corners& corners) noexcept {
-    if (triangle != triangle_) {
-      triangle_ = triangle;
-      lazy_ = LazyTriangle(corners());
-    }
-    return lazy_;
-  }
-
- private:
-  std::uint32_t triangle_{kNone};
-  LazyTriangle lazy_;
-};
-
-struct LastTriangles {
-  LastTriangle of_a;
-  LastTriangle of_b;  // in the frame of A
-};
-
 void measureTriangles(const MeshPair& pair, const TrianglePair& triangles,
-                      const MeshQueryMemory::NodePair& bounds, LastTriangles& last,
-                      NearestSearch& search) noexcept {
+                      const MeshQueryMemory::NodePair& bounds, NearestSearch& search) noexcept {
   offer(
       triangles, bounds, search,
       [&](const PointPair& start, double squared_cutoff) {
-        LazyTriangle& a =
-            last.of_a.at(triangles.a, [&] { return pair.a.triangles()[triangles.a]; });
-        LazyTriangle& b = last.of_b.at(triangles.b, [&] { return triangleOfB(pair, triangles.b); });
-        return boundedDistance(a, b, start, squared_cutoff);
+        return boundedDistance(pair.a.triangles()[triangles.a], triangleOfB(pair, triangles.b),
+                               start, squared_cutoff);
       },
       [&](const Eigen::Vector3d& direction) {
         return squaredGapAlong(direction, pair, triangles);
       });
 }
 
-void searchPairs(const MeshPair& pair, std::uint32_t visit_budget, LastTriangles& last,
-                 NodePairQueue& pairs, NearestSearch& search) noexcept {
+void searchPairs(const MeshPair& pair, std::uint32_t visit_budget, NodePairQueue& pairs,
+                 NearestSearch& search) noexcept {
   branchAndBound(
       pair.rounding, visit_budget, pairs, search,
       [&](const MeshQueryMemory::NodePair& next, float limit, NodePairQueue& queue) {
         const std::uint32_t child_a = childOf(pair.a, next.a);
         const std::uint32_t child_b = childOf(pair.b, next.b);
         if (isTriangle(child_a) && isTriangle(child_b)) {
-          measureTriangles(pair, {triangleAt(child_a), triangleAt(child_b)}, next, last, search);
+          measureTriangles(pair, {triangleAt(child_a), triangleAt(child_b)}, next, search);
         } else {
           openLarger(pair, next, limit, queue);
         }
@@ -161,22 +135,9 @@ NearestSearch searchWithin(const MeshQueryLimits& limits, double rounding) noexc
   return search;
 }
 
-// The answer if the triangles measured are within the tolerance of what is known before.
-MeshDistance settledAnswer(const MeshPair& pair, NearestSearch& search,
-                           const Pose& world_from_a) noexcept {
-  MeshDistance answer;
-  answer.visits = search.visits;
-  search.squared_left = search.at_least * search.at_least;
-  const bool is_open = pair.a.openSurface() || pair.b.openSurface();
-  answer.outside = is_open ? search.at_least : answer.outside;
-  report(pair, search, world_from_a, answer);
-  return answer;
-}
-
 // The query of two meshes for searchFromFront.
 struct MeshQuery {
   const MeshPair& pair;
-  LastTriangles& last;
 
   bool areTriangles(Slot a, Slot b) const noexcept {
     return isTriangle(childOf(pair.a, a)) && isTriangle(childOf(pair.b, b));
@@ -185,7 +146,7 @@ struct MeshQuery {
     return {triangleAt(childOf(pair.a, a)), triangleAt(childOf(pair.b, b))};
   }
   void measure(const MeshQueryMemory::NodePair& bounds, NearestSearch& search) const noexcept {
-    measureTriangles(pair, trianglesAt(bounds.a, bounds.b), bounds, last, search);
+    measureTriangles(pair, trianglesAt(bounds.a, bounds.b), bounds, search);
   }
   void choose(Slot a, Slot b, OpenedPair& opened) const noexcept {
     collision_monitor::choose(pair, a, b, opened);
@@ -220,13 +181,12 @@ MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQuery
   }
   NearestSearch search = searchWithin(limits, pair.rounding);
   search.visits = answer.visits;
-  LastTriangles last;
   if (isPairOf(pair, start)) {
-    measureTriangles(pair, start, search.bounds, last, search);
+    measureTriangles(pair, start, search.bounds, search);
   }
   NodePairQueue queue(memory);
   queue.push({0.0F, 0, 0});
-  searchPairs(pair, limits.visit_budget, last, queue, search);
+  searchPairs(pair, limits.visit_budget, queue, search);
   answer = answerOf(pair, search, a.world_from_mesh, limits.stop_beyond);
   reportContainment(pair, a.world_from_mesh, limits, memory, {}, answer);
   return answer;
@@ -238,17 +198,11 @@ MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQuery
     return {};
   }
   const MeshPair pair = makeMeshPair(a, b);
-  LastTriangles last;
-  const MeshQuery query{pair, last};
+  const MeshQuery query{pair};
   MeshDistance answer;
   if (isStillHeld(pair, a.world_from_mesh, limits, memory, answer)) {
     front.apart = front.outside = 0.0;
     return answer;
-  }
-  NearestSearch before = searchWithin(limits, pair.rounding);
-  measureLast(query, front, before);
-  if (before.isSettled()) {
-    return settledAnswer(pair, before, a.world_from_mesh);
   }
   NearestSearch search = searchWithin(limits, pair.rounding);
   search.visits = answer.visits;

@@ -153,18 +153,6 @@ void keepLies(const NearestSearch& search, const CoreInMesh& lies) noexcept {
   }
 }
 
-// The answer if the triangle measured is within the tolerance of what is known before.
-MeshDistance settledAnswer(const MeshAndCore& pair, NearestSearch& search,
-                           const Pose& world_from_core) noexcept {
-  MeshDistance answer;
-  answer.visits = search.visits;
-  search.squared_left = search.at_least * search.at_least;
-  answer.outside = pair.mesh.openSurface() ? search.at_least - pair.radius : kInfinity;
-  report(pair, search, CoreInMesh(), answer);
-  answer.measured = placed(world_from_core, answer.measured);
-  return answer;
-}
-
 MeshDistance measureCore(const PlacedMesh& a, const InflatedCore& b, const Pose& world_from_b,
                          MeshQueryMemory& memory, const CoreStart& start,
                          const MeshQueryLimits& limits) noexcept {
@@ -179,11 +167,6 @@ MeshDistance measureCore(const PlacedMesh& a, const InflatedCore& b, const Pose&
   search.at_least = limits.at_least > 0.0 ? limits.at_least + b.radius : 0.0;
   search.best.on_b = anyPointOf(b.core);
   if (start.front != nullptr) {
-    NearestSearch before = search;
-    measureLast(CoreQuery{pair}, *start.front, before);
-    if (before.isSettled()) {
-      return settledAnswer(pair, before, world_from_b);
-    }
     search.front = start.front;
     search.moving = movingBounds(pair.mesh, true);
   }

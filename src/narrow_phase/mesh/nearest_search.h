@@ -39,12 +39,6 @@ struct NearestSearch {
     return std::min(tolerance, 0.5 * std::max(0.0, distance - radius));
   }
 
-  /// Whether the best is within the tolerance of what was known before.
-  bool isSettled() const noexcept {
-    return at_least > 0.0 && nearest.a != kNone &&
-           std::sqrt(best.squared_distance) - skipped() <= at_least;
-  }
-
   /// [m^2] Node pairs this far or farther are skipped.
   double squaredGoal() const noexcept {
     if (tolerance <= 0.0 || nearest.a == kNone) {

@@ -98,15 +98,6 @@ void shrinkFront(const Query& query, double cutoff, std::uint32_t visit_budget,
   }
 }
 
-/// Measures the nearest triangles of the last query. A search that has the front may keep them
-/// there, so call `follow` first. A search without a front needs no `follow`.
-template <class Query>
-void measureLast(const Query& query, const MeshFront& front, NearestSearch& search) noexcept {
-  if (front.nearest.a != kNone) {
-    query.measure({0.0F, front.nearest.a, front.nearest.b}, search);
-  }
-}
-
 /// Searches from the pairs that the last query kept, or from the roots if others may be nearer.
 /// @param step from `follow`. @param cutoff [m] the search ends once something is this near.
 template <class Query>
@@ -115,7 +106,9 @@ void searchFromFront(const Query& query, double step, double cutoff, std::uint32
   constexpr std::uint32_t kPairsPerVisit = 128;  // pairs loosened in the time of a visit
   MeshFront& front = *search.front;
   search.visits += step > 0.0 ? front.size / kPairsPerVisit : 0;
-  measureLast(query, front, search);
+  if (front.nearest.a != kNone) {
+    query.measure({0.0F, front.nearest.a, front.nearest.b}, search);
+  }
   setMargin(step, search.best.squared_distance, front);
   if (search.best.squared_distance > cutoff * cutoff) {
     if (covers(search.squaredGoal(), front) && takeNearer(query, visit_budget, queue, search)) {

@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
-#include <optional>
 
 #include "collision_monitor/geometry/triangle.h"
 #include "geometry/based_triangle.h"
@@ -40,26 +39,6 @@ struct PreparedTriangle {
 constexpr std::uint32_t kVisitsToMeasure = 3;
 
 PreparedTriangle prepare(const Triangle& triangle) noexcept;
-
-/// A triangle that is prepared once a query needs it.
-class LazyTriangle {
- public:
-  LazyTriangle() = default;
-  explicit LazyTriangle(const Triangle& corners) noexcept : corners_(corners) {}
-
-  const Triangle& corners() const noexcept { return corners_; }
-
-  const PreparedTriangle& prepared() noexcept {
-    if (!prepared_) {
-      prepared_ = prepare(corners_);
-    }
-    return *prepared_;
-  }
-
- private:
-  Triangle corners_;
-  std::optional<PreparedTriangle> prepared_;
-};
 
 /// Squared sine of edges that count as parallel.
 constexpr double kParallelSquared = 1e-28;

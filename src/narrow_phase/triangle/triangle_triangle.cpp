@@ -169,24 +169,24 @@ bool overlap(const Triangle& a, const Triangle& b) noexcept {
   return of_a.low <= of_b.high + rounding && of_b.low <= of_a.high + rounding;
 }
 
-TriangleDistance boundedDistance(LazyTriangle& a, LazyTriangle& b, const PointPair& start,
+TriangleDistance boundedDistance(const Triangle& a, const Triangle& b, const PointPair& start,
                                  double squared_cutoff) noexcept {
   // Between convex surfaces the direction of the nearest points so far separates nearly all.
   const Vector3d from_a_to_b = start.on_b - start.on_a;
-  const double squared_gap = squaredGapAlong(from_a_to_b, a.corners(), b.corners());
+  const double squared_gap = squaredGapAlong(from_a_to_b, a, b);
   if (squared_gap >= squared_cutoff) {
     return {start, squared_gap, from_a_to_b};
   }
-  const PreparedTriangle& on_a = a.prepared();
-  const PreparedTriangle& on_b = b.prepared();
+  const PreparedTriangle on_a = prepare(a);
+  const PreparedTriangle on_b = prepare(b);
   const PlaneGap plane = planeGapOf(on_a, on_b);
   if (plane.gap * plane.gap >= squared_cutoff) {
     return {start, plane.gap * plane.gap, plane.direction};
   }
   PointPair best = start;
-  improveByFaces(on_a, b.corners(), plane.gap == 0.0, best);
+  improveByFaces(on_a, b, plane.gap == 0.0, best);
   PointPair from_b = exchanged(best);
-  improveByFaces(on_b, a.corners(), plane.gap == 0.0, from_b);
+  improveByFaces(on_b, a, plane.gap == 0.0, from_b);
   best = exchanged(from_b);
   const EdgePair edges = nearestEdges(on_a, on_b);
   if (edges.squared_distance < best.squared_distance) {
@@ -199,9 +199,7 @@ TriangleDistance boundedDistance(LazyTriangle& a, LazyTriangle& b, const PointPa
 }
 
 PointPair nearestPoints(const Triangle& a, const Triangle& b, const PointPair& start) noexcept {
-  LazyTriangle of_a(a);
-  LazyTriangle of_b(b);
-  return boundedDistance(of_a, of_b, start, start.squared_distance).nearest;
+  return boundedDistance(a, b, start, start.squared_distance).nearest;
 }
 
 }  // namespace collision_monitor

@@ -14,8 +14,6 @@
 /// Limits: triangles without area are legal. They stand for the segment or point that they cover.
 namespace collision_monitor {
 
-class LazyTriangle;
-
 /// Two points, one on each of two things, and their distance.
 struct PointPair {
   double squared_distance{std::numeric_limits<double>::infinity()};  ///< [m^2], never negative
@@ -55,7 +53,7 @@ struct TriangleDistance {
 /// As nearestPoints, but stops if the direction of `start`, or the plane of a triangle, proves that
 /// they are `squared_cutoff` apart.
 /// @param squared_cutoff [m^2] at most that of `start`.
-TriangleDistance boundedDistance(LazyTriangle& a, LazyTriangle& b, const PointPair& start,
+TriangleDistance boundedDistance(const Triangle& a, const Triangle& b, const PointPair& start,
                                  double squared_cutoff) noexcept;
 
 }  // namespace collision_monitor

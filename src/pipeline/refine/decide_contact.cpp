@@ -90,7 +90,6 @@ bool isHeld(const Refinement& all, const RefineTask& task) noexcept {
 
 void decideContact(const Refinement& all, RefineTask& task) noexcept {
   constexpr double kPastThreshold = 1e-6;
-  constexpr double kPart = 0.25;
   const Goal clear{clearBeyond(all, task), budgetOf(all) / 4 * 3};
   if (task.bound > clear.cutoff) {
     return;
@@ -111,11 +110,6 @@ void decideContact(const Refinement& all, RefineTask& task) noexcept {
     return;
   }
   if (!has_overlapped && tryDecide(all, task, recalled, clear)) {
-    return;
-  }
-  // A bound that lasts for some cycles spares them the search for points inside.
-  if (!has_overlapped &&
-      tryDecide(all, task, recalled, {contact + kPart * (clear.cutoff - contact), clear.budget})) {
     return;
   }
   tryDecide(all, task, recalled, {contact + kPastThreshold, clear.budget});

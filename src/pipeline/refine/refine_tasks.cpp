@@ -46,30 +46,8 @@ bool comesFirst(const RefineTask& x, const RefineTask& y) noexcept {
   return std::tie(y.starved_cycles, x.bound, x.pair) < std::tie(x.starved_cycles, y.bound, y.pair);
 }
 
-/// Moves each task to its place among those before it, which is near.
-/// @return false if this takes many moves; then the order is not done.
-bool sortNearlySorted(std::vector<RefineTask>& tasks) noexcept {
-  constexpr std::size_t kMovesOfTask = 16;  // std::sort takes about as long
-  std::size_t moves = 0;
-  for (std::size_t i = 1; i < tasks.size(); ++i) {
-    const RefineTask task = tasks[i];
-    std::size_t place = i;
-    for (; place > 0 && comesFirst(task, tasks[place - 1]); --place) {
-      tasks[place] = tasks[place - 1];
-    }
-    tasks[place] = task;
-    moves += i - place;
-    if (moves > kMovesOfTask * tasks.size()) {
-      return false;
-    }
-  }
-  return true;
-}
-
 void sortTasks(RefineWork& work) noexcept {
-  if (!sortNearlySorted(work.tasks)) {
-    std::sort(work.tasks.begin(), work.tasks.end(), comesFirst);
-  }
+  std::sort(work.tasks.begin(), work.tasks.end(), comesFirst);
   for (std::uint32_t i = 0; i < work.tasks.size(); ++i) {
     work.task_of[work.tasks[i].pair] = i;
   }
