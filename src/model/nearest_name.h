@@ -7,8 +7,8 @@
 
 namespace collision_monitor {
 
-/// The other name in `known` with the fewest edits to `name`; empty if none is similar (more than a
-/// third of the letters differ).
+/// The other name in `known` with the fewest edits to `name`. Capitals count as small letters.
+/// Empty if none is similar (more than a third of the letters differ).
 /// Source: Levenshtein distance by the dynamic programming of Wagner and Fischer (1974).
 std::string nearestName(const std::string& name, const std::vector<std::string>& known);
 

@@ -13,6 +13,11 @@ TEST(NearestName, fewestEditsWin) {
   EXPECT_EQ(nearestName("rat", {"rate", "max_age"}), "rate");
 }
 
+TEST(NearestName, capitalsAreNoEdits) {
+  EXPECT_EQ(nearestName("ELBOW_JOINT", {"wrist_joint", "elbow_joint"}), "elbow_joint");
+  EXPECT_EQ(nearestName("elbow[1]", {"Elbow[1]"}), "Elbow[1]");
+}
+
 TEST(NearestName, nothingNear_isEmpty) {
   EXPECT_EQ(nearestName("colour", {"rate", "max_age"}), "");
   EXPECT_EQ(nearestName("colour", {}), "");
