@@ -75,8 +75,9 @@ struct DistanceCache {
   /// infinity if none was measured.
   std::vector<double> nearest;
   std::vector<ElementPairIndex> measured_pairs;  ///< pairs with a finite `nearest`
-  /// By LinkPairIndex, where bodies are lone: [m] an upper bound of their distance in the last
-  /// cycle. Lone bodies beyond it were not the nearest of their links. Infinity: no bound is known.
+  /// By LinkPairIndex, of links with lone bodies: [m] an upper bound of the links' distance in the
+  /// last cycle. Lone bodies farther apart were not the nearest of their links. Infinity: no bound
+  /// is known.
   std::vector<double> nearest_of_links;
   std::vector<std::uint32_t> measured_links;  ///< pairs with a finite `nearest_of_links`
   /// By ElementPairIndex: [m] a lower bound of their distance at some time, plus the travel of both

@@ -18,7 +18,7 @@ class Sampling {
       : setup_(measures.setup),
         measures_(measures),
         seen_(seen),
-        work_(makeStatesWork(setup_, standingAt(setup_.model, world_from_root))),
+        work_(makeShapeStatesWork(setup_, standingAt(setup_.model, world_from_root))),
         nearest_(setup_.checked.size()) {}
 
   /// @param states at most kStateCount

@@ -35,8 +35,8 @@ std::optional<ElementDistance> keepDepth(const Refinement& all, const RefineTask
              : std::nullopt;
 }
 
-/// The recalled measurement. It has points where they are within the tolerance, or where the
-/// distance need not be measured.
+/// What the last measurement tells of the pair now. It has points if these show the distance within
+/// the tolerance, or if nobody is told the distance.
 ElementDistance recallToCutoff(const Refinement& all, const RefineTask& task) noexcept {
   const ElementPair& pair = all.setup.element_pairs[task.pair];
   if (const std::optional<ElementDistance> kept = keepDepth(all, task)) {

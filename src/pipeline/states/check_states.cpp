@@ -87,7 +87,7 @@ void judgeShapes(const CycleSetup& setup, StateQuestion question, std::size_t co
 
 }  // namespace
 
-StatesWork makeStatesWork(const CycleSetup& setup, const StandingPoses& standing) {
+StatesWork makeShapeStatesWork(const CycleSetup& setup, const StandingPoses& standing) {
   StatesWork work;
   work.poses = makeLinkPoses(setup.model);
   std::fill(work.poses.status.begin(), work.poses.status.end(), LinkStatus::known);
@@ -105,9 +105,14 @@ StatesWork makeStatesWork(const CycleSetup& setup, const StandingPoses& standing
   work.rows = makeBodyPoses(setup).rows;
   work.variables.resize(work.plan.variable_count);
   work.placed.reserve(kStateCount);
-  work.open.reserve(kOpenStates);
   work.frames.resize(work.plan.frames.size());
   partPairs(setup, work);
+  return work;
+}
+
+StatesWork makeStatesWork(const CycleSetup& setup, const StandingPoses& standing) {
+  StatesWork work = makeShapeStatesWork(setup, standing);
+  work.open.reserve(kOpenStates);
   work.refinement = makeStatesRefinement(setup, work);
   return work;
 }

@@ -53,16 +53,16 @@ struct StateElementPair {
   std::uint32_t a{0};  ///< ElementIds
   std::uint32_t b{0};
   double radii{0.0};       ///< [m] sum of the radii of their balls
-  double body_radii{0.0};  ///< [m] the same of balls that hold their bodies, with these centers
+  double body_radii{0.0};  ///< [m] as `radii`, of balls about the same centers that hold the bodies
   double contact_distance{0.0};  ///< [m] the largest of their bodies
   double warning_distance{0.0};  ///< [m] of their links
   std::uint32_t first{0};        ///< into StatesRefinement::body_pairs
   std::uint32_t last{0};
   bool are_convex{false};
   std::uint32_t ball{0};      ///< ElementId of the one with the smaller ball
-  std::uint32_t box{0};       ///< around the other one: a box as in StatesRefinement::box_of
-  std::uint32_t ball_box{0};  ///< the same around that of `ball`
-  bool has_many{false};       ///< pairs of bodies, and both boxes
+  std::uint32_t box{0};       ///< StatesRefinement::box_of of the other one
+  std::uint32_t ball_box{0};  ///< StatesRefinement::box_of of `ball`
+  bool has_many{false};       ///< they have several pairs of bodies, and each has a box
 };
 
 /// Two elements in the order of a search, with what mostly parts them.
@@ -70,7 +70,7 @@ struct OrderedPair {
   ElementPairIndex elements{0};
   std::uint32_t a{0};  ///< ElementIds
   std::uint32_t b{0};
-  double squared_contact{0.0};  ///< [m^2] of the sums of their radii and `contact_distance`
+  double squared_contact{0.0};  ///< [m^2] square of the sum of both radii and `contact_distance`
 };
 
 /// A box around all bodies of an element.
@@ -95,8 +95,8 @@ struct StatesRefinement {
   std::vector<StatePoint> centers;              ///< by ElementId: centers of the balls
   std::uint64_t block{0};                       ///< counter of blocks
   std::vector<std::uint64_t> body_placed_in;    ///< by BodyId: the last block that placed it
-  /// By ElementId: the BodyId of the box that alone encloses it; the number of bodies plus an index
-  /// into `outer_boxes` if it has several bodies; else kNone.
+  /// By ElementId. If its one body is a box: the BodyId. If it has several bodies: the number of
+  /// all bodies plus an index into `outer_boxes`. Else kNone.
   std::vector<std::uint32_t> box_of;
   std::vector<OuterBox> outer_boxes;
   std::vector<Pose> world_from_element;  ///< by ElementId, in the current state
@@ -122,7 +122,7 @@ struct StatesRefinement {
 /// new blocks for the next.
 constexpr std::size_t kOpenStates = 256;
 
-/// What checkStates needs; made once for a set-up and the standing poses of its robots.
+/// What a search of states needs; made once for a set-up and the standing poses of its robots.
 struct StatesWork {
   KinematicsPlan plan;
   std::vector<LinkPlace> body_places;  ///< by BodyId: frame_from_link is frame_from_body here
@@ -149,6 +149,9 @@ StandingPoses standingAs(const RobotModel& model, const LinkPoses& poses,
 /// Links behind an unknown root or joint form a part of their own. Pairs within it are judged as
 /// all others; pairs of two parts are unknown in every state.
 StatesWork makeStatesWork(const CycleSetup& setup, const StandingPoses& standing);
+
+/// The same for enclosing shapes alone: not for checkStatesExactly.
+StatesWork makeShapeStatesWork(const CycleSetup& setup, const StandingPoses& standing);
 
 /// Judges states by enclosing shapes. Each `variable_count` numbers of `positions` are one state; a
 /// model without variables has one state. Limits have no hysteresis here. Overlapping shapes around

@@ -33,7 +33,7 @@ WaypointDistances makeWaypointDistances(const CycleSetup& setup, const JointPath
     moves[setup.model.joint(joint).first_variable] = true;
   }
   WaypointDistances distances{
-      reach, makeStatesWork(setup, standingAs(setup.model, start, moves)), {}, {}, 0, 0};
+      reach, makeShapeStatesWork(setup, standingAs(setup.model, start, moves)), {}, {}, 0, 0};
   JointPositions state(setup.model.variable_count, 0.0);
   for (std::size_t i = 0; i < path.times.size(); ++i) {
     setPositions(setup.model, path, i, 0.0, state);
