@@ -35,10 +35,17 @@ const char* const kFooter =
     "  pairs robot.urdf --states 100000 --write-srdf robot.srdf --trust-samples\n"
     "  pairs cell.urdf --with left=arm.urdf --place left=0,0.5,0 --write-yaml pairs.yaml";
 
+/// CLI11's own check accepts NaN.
+std::string faultOfTime(const std::string& text) {
+  constexpr double kLongest = 1e6;  // [s]
+  double value = -1.0;
+  const bool is_time = CLI::detail::lexical_cast(text, value) && value >= 0.0 && value <= kLongest;
+  return is_time ? "" : "'" + text + "' is no time; accepted: 0 to 1000000 s";
+}
+
 void addSearch(CLI::App& app, Options& options) {
   constexpr std::size_t kMostStates = 100000000;
   constexpr std::size_t kMostCells = 100000000;
-  constexpr double kLongest = 1e6;  // [s]
   const char* const group = "Search";
   app.add_option("--states", options.search.states, "that are drawn, 1 to 100000000")
       ->check(CLI::Range(std::size_t{1}, kMostStates).description(""))
@@ -57,7 +64,7 @@ void addSearch(CLI::App& app, Options& options) {
       ->group(group);
   app.add_option("--time-limit", options.search.time_limit,
                  "[s] of all proofs together; those that are not done by then are left open")
-      ->check(CLI::Range(0.0, kLongest).description(""))
+      ->check(faultOfTime)
       ->type_name("SECONDS")
       ->capture_default_str()
       ->group(group);

@@ -31,8 +31,8 @@ std::string explainAge(double age, double max_age, const std::string& what) {
          (is_suspicious ? "; if this is a recording, is use_sim_time set?" : "");
 }
 
-std::string countText(std::uint64_t count) {
-  return std::to_string(count) + (count == 1 ? " transform" : " transforms");
+std::string countText(std::uint64_t count, const char* what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
 }  // namespace
@@ -54,12 +54,13 @@ std::string PoseReader::explainBefore(const Refusal& refusal) const {
                                      inSeconds(toSeconds(refusal.ahead_ns)) + " in the future";
 }
 
-/// For users who send transforms without a stamp, or by another clock, and wonder why none arrives.
-std::string PoseReader::refused(const Refusals& refusals, const char* reason) const {
+/// For users who send data without a stamp, or by another clock, and wonder why none arrive.
+std::string PoseReader::refused(const Refusals& refusals, const char* what,
+                                const char* reason) const {
   if (refusals.count == 0) {
     return "";
   }
-  return std::string("; refused ") + reason + ": " + countText(refusals.count) +
+  return std::string("; refused ") + reason + ": " + countText(refusals.count, what) +
          (isOfNow(refusals.last_ns) ? ""
                                     : ", the last " + inSeconds(since(refusals.last_ns)) + " ago");
 }
@@ -92,15 +93,18 @@ std::string PoseReader::explainJoint(const Edge& edge) const {
   if (refusal.ahead_ns > 0 && isOfNow(refusal.at_ns)) {
     return explainAge(-toSeconds(refusal.ahead_ns), max_age_, what);
   }
+  const std::string why = explainBefore(refusal) + refused(joints_->refusedWithoutStamp(),
+                                                           "JointState", "for want of a stamp");
   switch (edge.status) {
     case LinkStatus::stale:
-      return explainAge(edge.age, max_age_, what) + explainBefore(refusal);
+      return explainAge(edge.age, max_age_, what) + why;
     case LinkStatus::not_finite:
-      return "the position of joint '" + joint.name + "' is not finite or beyond 1e9";
+      return "the position of joint '" + joint.name +
+             "' is missing in its message, not finite or beyond 1e9";
     case LinkStatus::contradicted:
       return explainContradiction(edge);
     default:
-      return "no " + what + " yet" + explainBefore(refusal);
+      return "no " + what + " yet" + why;
   }
 }
 
@@ -119,8 +123,8 @@ std::string PoseReader::explainMissing(const Edge& edge) const {
   }
   return std::string(edge.is_connected ? "no usable" : "no") + " transform from '" +
          edge.parent_frame + "' to '" + edge.child_frame + "' yet" +
-         refused(store_.refusedWithoutStamp(), "for want of a stamp") +
-         refused(store_.refusedAhead(), "as too far in the future");
+         refused(store_.refusedWithoutStamp(), "transform", "for want of a stamp") +
+         refused(store_.refusedAhead(), "transform", "as too far in the future");
 }
 
 /// The latest data for this link that were refused for being too far ahead of now.

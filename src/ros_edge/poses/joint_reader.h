@@ -29,6 +29,8 @@ class JointReader {
   /// As JointStore::publisher.
   std::string publisher(PublisherId id) const { return store_.publisher(id); }
 
+  /// As JointStore::refusedWithoutStamp.
+  Refusals refusedWithoutStamp() const { return store_.refusedWithoutStamp(); }
   /// As JointStore::refusedAhead, by variable.
   Refusal refusedAhead(std::size_t variable) const;
 

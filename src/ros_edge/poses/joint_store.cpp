@@ -13,14 +13,11 @@
 namespace collision_monitor {
 namespace {
 
+/// NaN if the message has no valid value there.
 double valueOr(const std::vector<double>& values, std::size_t place) {
-  return place < values.size() ? values[place] : std::numeric_limits<double>::quiet_NaN();
-}
-
-/// NaN if the message has no valid position.
-double positionOf(const sensor_msgs::JointState& message, std::size_t place) {
-  const double position = valueOr(message.position, place);
-  return std::abs(position) <= kFarthest ? position : std::numeric_limits<double>::quiet_NaN();
+  return place < values.size() && std::abs(values[place]) <= kFarthest
+             ? values[place]
+             : std::numeric_limits<double>::quiet_NaN();
 }
 
 JointSample newestOf(const std::deque<JointSample>& samples) {
@@ -81,10 +78,11 @@ void JointStore::keepFor(double seconds) {
 
 void JointStore::accept(const std::string& topic, const sensor_msgs::JointState& message,
                         const std::string& publisher) {
-  if (message.header.stamp.isZero()) {
-    return;  // it would never grow old
-  }
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (message.header.stamp.isZero()) {  // it would never grow old
+    without_stamp_ = {without_stamp_.count + 1, static_cast<std::int64_t>(time_source_().toNSec())};
+    return;
+  }
   if (message.name.size() > most_joints_) {
     ++too_long_;
     return;
@@ -107,7 +105,7 @@ void JointStore::accept(const std::string& topic, const sensor_msgs::JointState&
     history.heard_ns = std::max(history.heard_ns, stamp_ns);
     history.refusal = is_too_far_ahead ? Refusal{stamp_ns - now_ns, now_ns} : Refusal();
     if (!is_too_far_ahead) {
-      keepSample({stamp_ns, positionOf(message, i), valueOr(message.velocity, i)}, sent_by,
+      keepSample({stamp_ns, valueOr(message.position, i), valueOr(message.velocity, i)}, sent_by,
                  history);
     }
   }
@@ -155,6 +153,7 @@ void JointStore::forget() {
   for (History& history : histories_) {
     history = History();
   }
+  without_stamp_ = Refusals();
 }
 
 std::size_t JointStore::recordCount() const {
@@ -191,6 +190,11 @@ void JointStore::readNewest(const std::vector<Wanted>& wanted,
 std::uint64_t JointStore::laterCount() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return later_;
+}
+
+Refusals JointStore::refusedWithoutStamp() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return without_stamp_;
 }
 
 std::uint64_t JointStore::refusedTooLong() const {

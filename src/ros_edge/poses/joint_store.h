@@ -82,6 +82,8 @@ class JointStore {
               std::vector<JointSample>& samples) const;
   /// A count that grows with each sample later than the joint's last, refused or not.
   std::uint64_t laterCount() const;
+  /// Messages refused because they had no stamp.
+  Refusals refusedWithoutStamp() const;
   /// Number of messages refused because they were too long.
   std::uint64_t refusedTooLong() const;
   /// "" if unknown.
@@ -114,6 +116,7 @@ class JointStore {
   bool wants_all_{true};
   std::size_t most_joints_;  ///< limit per message
   std::uint64_t later_{0};
+  Refusals without_stamp_;
   std::uint64_t too_long_{0};
   PublisherNames publishers_;
   std::vector<History> histories_;

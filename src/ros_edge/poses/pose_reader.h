@@ -104,7 +104,7 @@ class PoseReader {
   double since(std::int64_t then_ns) const;
   bool isOfNow(std::int64_t then_ns) const;
   std::string explainBefore(const Refusal& refusal) const;
-  std::string refused(const Refusals& refusals, const char* reason) const;
+  std::string refused(const Refusals& refusals, const char* what, const char* reason) const;
 
   const RobotModel& model_;
   const TransformStore& store_;

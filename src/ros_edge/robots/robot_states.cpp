@@ -158,7 +158,8 @@ std::string closestSentence(const Watch& watch, const RobotView& view) {
              : distanceSentence(watch.setup(), watch.buffers.distances.pairs[view.closest]);
 }
 
-/// "; absent, and not counted: robot 'right'", of robots that do not count for this one.
+/// "; absent, so only links with known poses count: robot 'right'", of robots whose unknown pairs
+/// do not count for this one.
 std::string absentText(const Watch& watch, const ListedRobot& listed) {
   std::vector<std::string> names;
   const std::size_t own = index(*listed.id);
@@ -172,7 +173,7 @@ std::string absentText(const Watch& watch, const ListedRobot& listed) {
       names.push_back("robot '" + robot.name + "'");
     }
   }
-  return names.empty() ? "" : "; absent, and not counted: " + joined(names);
+  return names.empty() ? "" : "; absent, so only links with known poses count: " + joined(names);
 }
 
 std::string sentenceOf(const Watch& watch, const RobotView& view) {

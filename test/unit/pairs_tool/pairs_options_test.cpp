@@ -91,6 +91,7 @@ TEST(PairsOptions, whatDoesNotGoTogether_isRefusedWithTheReason) {
       {{"a.urdf", "--write-srdf", "f", "--write-yaml", "f"}, "same file"},
       {{"a.urdf", "--check", "a.srdf", "--write-yaml", "a.srdf"}, "would replace"},
       {{"a.urdf", "--with", "l=b.urdf", "--write-yaml", "b.urdf"}, "would replace"},
+      {{"a.urdf", "--time-limit", "nan"}, "accepted: 0 to 1000000 s"},
       {{"a.urdf", "--time-limit", "-1"}, "--time-limit"}};
   for (const auto& [arguments, reason] : cases) {
     std::string said;

@@ -99,6 +99,18 @@ TEST_F(JointPosesTest, jointThatNobodyPublishes_hidesWhatHangsOnIt) {
   EXPECT_EQ(explain("hand"), "no state of joint 'reach' yet");
 }
 
+TEST_F(JointPosesTest, statesWithoutStamp_areRefusedAndTold) {
+  send(10.0, "slide", 0.2);
+  send(0.0, "slide", 0.3);
+  send(0.0, "reach", 0.3);
+  read(10.0);
+  EXPECT_EQ(status("hand"), LinkStatus::missing);
+  const std::string refused = "; refused for want of a stamp: 2 JointStates";
+  EXPECT_EQ(explain("hand").find("no state of joint 'reach' yet" + refused), 0U);
+  read(10.6);
+  EXPECT_EQ(explain("finger").find("no state of joint 'slide' for 0.60 s" + refused), 0U);
+}
+
 TEST_F(JointPosesTest, oldJoint_isStaleAndHoldsNobodyBack) {
   send(10.0, "slide", 0.2);
   send(10.0, "reach", 0.3);
@@ -150,7 +162,8 @@ TEST_F(JointPosesTest, nanPosition_isNotFiniteUntilAGoodOneComes) {
   send(10.0, "reach", std::nan(""));
   read(10.0);
   EXPECT_EQ(status("hand"), LinkStatus::not_finite);
-  EXPECT_EQ(explain("hand"), "the position of joint 'reach' is not finite or beyond 1e9");
+  EXPECT_EQ(explain("hand"),
+            "the position of joint 'reach' is missing in its message, not finite or beyond 1e9");
   EXPECT_EQ(status("arm"), LinkStatus::known);
   send(10.1, "slide", 0.2);
   send(10.1, "reach", 0.3);
@@ -165,7 +178,8 @@ TEST_F(JointPosesTest, positionFartherThanNumbersAreFine_isNotFinite) {
     read(10.0);
     EXPECT_EQ(status("hand"), LinkStatus::not_finite) << position;
   }
-  EXPECT_EQ(explain("hand"), "the position of joint 'reach' is not finite or beyond 1e9");
+  EXPECT_EQ(explain("hand"),
+            "the position of joint 'reach' is missing in its message, not finite or beyond 1e9");
 }
 
 TEST_F(JointPosesTest, rootOfAMobileRobot_isPlacedByTf) {

@@ -193,6 +193,13 @@ class JointReaderTest : public testing::Test {
   std::unique_ptr<JointReader> reader_;
 };
 
+TEST_F(JointReaderTest, velocitiesBeyondAllReason_areUnknown) {
+  build({""}, {"t"});
+  store_.accept("t", jointState(9.8, {"turn", "slide"}, {0, 0}, {1e9, -1.1e9}));
+  EXPECT_EQ(velocityOf("turn"), 1e9);
+  EXPECT_TRUE(std::isnan(velocityOf("slide")));
+}
+
 TEST_F(JointReaderTest, freshVelocitiesCount) {
   build({""}, {"t"});
   EXPECT_TRUE(std::isnan(velocityOf("turn"))) << "nothing came yet";
