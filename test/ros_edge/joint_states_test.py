@@ -54,7 +54,8 @@ class JointStates(TwoBoxes):
 
     def test_nanPosition_isNotFinite(self):
         self.turn.set(turn=float("nan"))
-        self.probe.wait_for_level(State.UNKNOWN, "the position of joint 'turn' is missing in its message, not finite")
+        self.probe.wait_for_level(State.UNKNOWN, "the position of joint 'turn' is missing in its "
+                                                 "message, not finite")
         self.turn.set(turn=0.0)
         self.probe.wait_for_level(State.OK)
 

@@ -118,7 +118,8 @@ std::string PoseReader::explainMissing(const Edge& edge) const {
         text += legible(step) + " -> ";
       }
       return text + legible(loop.front()) +
-             ", each to its parent; one of these frames must be sent with another parent, or none";
+             ", each to its parent; send one of these frames with another parent, or stop sending "
+             "it";
     }
   }
   return std::string(edge.is_connected ? "no usable" : "no") + " transform from '" +

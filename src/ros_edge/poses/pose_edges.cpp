@@ -41,18 +41,20 @@ void PoseReader::makeEdges() {
 
 void PoseReader::refresh() {
   const TransformStore::Version version = store_.version();
-  if (!has_records_ || version.topology != seen_.topology || version.jumps != seen_.jumps) {
+  const bool are_new =
+      !has_records_ || version.topology != seen_.topology || version.jumps != seen_.jumps;
+  if (are_new) {
     store_.copyRecords(records_);
     places_.clear();
     for (std::size_t i = 0; i < records_.size(); ++i) {
       places_.emplace(records_[i].name, i);
     }
-    for (Edge& edge : edges_) {
-      connect(edge);
-    }
     has_records_ = true;
   } else if (version.data != seen_.data) {
     store_.refreshRecords(records_);
+  }
+  if (are_new || haveLoopsChanged()) {
+    connectAll();
   }
   seen_ = version;
   if (joints_ != nullptr) {
@@ -60,38 +62,13 @@ void PoseReader::refresh() {
   }
 }
 
-/// "" for a frame without parent.
-std::string PoseReader::parentOf(const std::string& frame) const {
-  const auto place = places_.find(frame);
-  return place == places_.end() ? "" : records_[place->second].parent;
-}
-
-/// The frame and those above it, up to a frame without parent; empty if they form a loop.
-std::vector<std::string> PoseReader::chainAbove(const std::string& frame) const {
-  std::vector<std::string> chain;
-  for (std::string next = frame; !next.empty(); next = parentOf(next)) {
-    // Only the last frame of a chain has no record. One more frame than that means a loop.
-    if (chain.size() > records_.size()) {
-      return {};
-    }
-    chain.push_back(next);
+void PoseReader::connectAll() {
+  loop_frames_.clear();
+  noteLoop(world_frame_);
+  for (Edge& edge : edges_) {
+    connect(edge);
+    noteLoop(edge.child_frame);
   }
-  return chain;
-}
-
-/// Each frame of the loop once, beginning with the alphabetically first. @pre chainAbove(frame) is
-/// empty.
-std::vector<std::string> PoseReader::loopAbove(const std::string& frame) const {
-  std::string next = frame;
-  for (std::size_t i = 0; i < records_.size(); ++i) {
-    next = parentOf(next);  // after as many steps as there are frames, `next` is in the loop
-  }
-  std::vector<std::string> loop;
-  for (; loop.empty() || next != loop.front(); next = parentOf(next)) {
-    loop.push_back(next);
-  }
-  std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
-  return loop;
 }
 
 void PoseReader::connect(Edge& edge) const {

@@ -25,8 +25,8 @@ PoseReader::PoseReader(const RobotModel& model, const TransformStore& store,
 }
 
 bool PoseReader::read(const ros::Time& now, LinkPoses& poses) {
-  refresh();
   now_ns_ = static_cast<std::int64_t>(now.toNSec());
+  refresh();
   for (const Robot& robot : model_.robots) {
     forOwnLinks(model_, robot, [&](std::size_t link) { judge(now_ns_, edges_[link]); });
   }

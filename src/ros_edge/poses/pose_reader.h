@@ -76,16 +76,27 @@ class PoseReader {
     double age{0.0};
   };
 
+  /// A frame whose parents form a loop.
+  struct LoopFrame {
+    std::size_t record;
+    bool was_stale;  ///< when edges were connected
+  };
+
   static bool isMoving(const Edge& edge);
   std::int64_t newestOf(const Edge& edge) const;
   bool isBad(const Edge& edge) const;
   bool isContradicted(const Edge& edge) const;
   void makeEdges();
   void refresh();
+  void connectAll();
   void connect(Edge& edge) const;
   std::string parentOf(const std::string& frame) const;
+  std::vector<std::string> chainUpTo(const std::string& last, const std::string& frame) const;
   std::vector<std::string> chainAbove(const std::string& frame) const;
   std::vector<std::string> loopAbove(const std::string& frame) const;
+  void noteLoop(const std::string& frame);
+  bool isStale(std::size_t frame) const;
+  bool haveLoopsChanged() const;
   void judge(std::int64_t now_ns, Edge& edge) const;
   std::int64_t commonStamp(const Robot& robot) const;
   bool isAllKnown() const;
@@ -117,6 +128,7 @@ class PoseReader {
   std::vector<Edge> edges_;  ///< by LinkId
   std::vector<FrameRecord> records_;
   std::unordered_map<std::string, std::size_t> places_;  ///< indices of records, by frame
+  std::vector<LoopFrame> loop_frames_;
   TransformStore::Version seen_;
   bool has_records_{false};
 };
